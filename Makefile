@@ -85,7 +85,7 @@ OF_render     = $(call examples_of,tools/render)
 OF_report     = lab/report $(LAB) $(call examples_of,lab/chart lab/papers)
 OF_stability  = $(LAB) $(call examples_of,lab/stability)
 OF_bench      = $(LAB) $(call examples_of,lab/bench)
-# Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:steps=12.
+# Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:samples=12.
 OF_try        = lab/try $(LAB)
 # Which light ambient visibility dims: interreflection and glossy lobes beside their truth.
 OF_reflection = lab/reflection $(LAB)
@@ -201,7 +201,7 @@ bench: build/bench | page-deps
 	  $(PLAN:%=--plan %) $(SECONDS:%=--seconds %)
 
 # What the eye sees as mottling, of the presets and of what make peers brought. Other entries:
-# build/quiet --scene room hsao hsao:steps=12.
+# build/quiet --scene room hsao hsao:samples=12.
 quiet: build/quiet | page-deps
 	build/quiet
 
@@ -215,7 +215,7 @@ against: build/against build/render
 	$(MAKE) -C $$old build/render || exit 2; build/against $$old/build/render build/render $(METHOD)
 
 # What RADV's compiler makes of every chain for GPUs that need not be here, and milliseconds by a model; report/cost.csv.
-# ONLY="hsao hsao,best,steps=16 own.frag": those, with their passes; SINCE=FILE.csv: what has changed since that run.
+# ONLY="hsao hsao,best,samples=16 own.frag": those, with their passes; SINCE=FILE.csv: what has changed since that run.
 # cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
 # many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev

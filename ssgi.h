@@ -281,7 +281,7 @@ enum {
 };
 
 /* Makes sample sets as ssgi_kernel does, with directions of a kind [limit: SSGI_DIRECTIONS_COSINE ..]; the lengths are
-   the same. desc.gather.kernel of ssgi_gl.h takes COSINE, or UNIFORM with desc.gather.uniform. */
+   the same. desc.gather.kernel_texture of ssgi_gl.h takes COSINE, or UNIFORM with desc.gather.uniform_directions. */
 SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples, const char **why);
 
 /* Makes a tile of noise, to be repeated over the picture: out[4 * (y * size + x)] = cos a, sin a, b, turn. With
@@ -289,7 +289,7 @@ SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples
    x and y are for shaders that turn their own directions, as the paper's does.
      size         [limit: 1..64] texels of a side
      sets         [limit: 1.., a divisor of size * size] each set is at equally many texels, with
-                  turn = (set + 0.5)/sets, by which desc.gather.kernel chooses a row and other passes turn their
+                  turn = (set + 0.5)/sets, by which desc.gather.kernel_texture chooses a row and other passes turn their
                   directions. With size * size sets there are as many turns as texels. Every window of w x h texels, w h
                   = sets, w and h as equal as size allows, has every set once: a filter of that width sums over all
                   sets. Size 4 with 16 sets gives the 4 x 4 sets of [SSDO09, S3HO12]. Neighbours have unlike turns;
@@ -573,7 +573,7 @@ SSGI_DEF double ssgi_tess_radius(double area, double count);
 /* ==== >>surfels ================================================================================================ */
 
 /* In deep screen space [DSS14] triangles become discs of about equal size on the screen, also where they are hidden, at
-   grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass splat
+   grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass dss
    takes either. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte, as transform feedback captures them. */
@@ -687,16 +687,16 @@ typedef struct ssgi_splat {
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
     float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
-    int levels;    /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 4] every level doubles the reach, at about equal cost */
-    int part;      /* [limit: 0, 1, 2 or 4] [default: 1] one in so many pixels is drawn, each way: desc.gather.half */
+    int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 4] every level doubles the reach, at about equal cost */
+    int part; /* [limit: 0, 1, 2 or 4] [default: 1] one in so many pixels is drawn, each way: desc.gather.resolution */
     int two_sided; /* 1: surfels affect what is behind them, too: desc.light.two_sided, effects SCATTER and CUSTOM */
 } ssgi_splat;
 
 enum { SSGI_SPLAT_LEVELS = 7 };
 
 /* Writes the texels along x and y of one level in the interleaved layout: the size of what is interleaved, the frame or
-   what desc.gather.half leaves of it, rounded up to multiples of 2^(levels - 1). The levels lie below each other in one
-   texture of size[0] x (levels * size[1]) texels.
+   what desc.gather.resolution leaves of it, rounded up to multiples of 2^(levels - 1). The levels lie below each other
+   in one texture of size[0] x (levels * size[1]) texels.
      width, height   [limit: 1..65536]
      levels          [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
@@ -979,8 +979,8 @@ enum {
     SSGI_PLAN_METHOD_HSAO,
     SSGI_PLAN_METHOD_SSDO,
     SSGI_PLAN_METHOD_S3HO,
-    SSGI_PLAN_METHOD_SURFELS,
-    SSGI_PLAN_METHOD_FIELD
+    SSGI_PLAN_METHOD_DSS,
+    SSGI_PLAN_METHOD_AOF
 };
 
 /* The values of plan.thickness: desc.gather.thickness of ssgi_gl.h with other numbers; ssgi_gl_plan translates. WIDTH
@@ -1076,9 +1076,10 @@ typedef struct ssgi_plan {
     int method; /* SSGI_PLAN_METHOD_NOTHING .. */
 
     /* settings, 0 where the method has none. They are as in ssgi_gl_desc, but thickness is SSGI_PLAN_THICKNESS_WIDTH
-       .., and history is as in ssgi_gl_chain, resolution as in ssgi_field_desc, size as in ssgi_surfel_desc */
-    int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
-    float size;
+       .., and history is as in ssgi_gl_chain, field_resolution is the resolution of ssgi_field_desc, and
+       surfel_size the size of ssgi_surfel_desc */
+    int thickness, resolution, slices, samples, bands, history, levels, filter_radius, field_resolution;
+    float surfel_size;
 
     /* the predictions for these settings */
     float cost;    /* [units: as budget] with depth passes, without making surfels and fields; at most SSGI_FAR */
@@ -4792,15 +4793,15 @@ enum {
 /* A choice: the value of `wanted` that it serves, its settings, its costs in software and on a GPU, and the weights of
    the terms. */
 typedef struct ssgi__plan_row {
-    signed char wanted, method, thickness, half, directions, steps, bands, history, resolution;
-    float size, cost[2], term[SSGI__PLAN_TERMS];
+    signed char wanted, method, thickness, resolution, slices, samples, bands, history, field_resolution;
+    float surfel_size, cost[2], term[SSGI__PLAN_TERMS];
 } ssgi__plan_row;
 
 /* clang-format off */
-#define SSGI__P(wanted, method, thickness, half, directions, steps, bands, history, resolution, size, cost, gpu, \
-                unoccluded, hsao, slabs, coarse, uneven, constant) \
-    { SSGI__PLAN_##wanted, SSGI_PLAN_METHOD_##method, SSGI_PLAN_THICKNESS_##thickness, half, directions, steps, \
-      bands, history, resolution, size, { cost, gpu }, \
+#define SSGI__P(wanted, method, thickness, resolution, slices, samples, bands, history, field_resolution, \
+                surfel_size, cost, gpu, unoccluded, hsao, slabs, coarse, uneven, constant) \
+    { SSGI__PLAN_##wanted, SSGI_PLAN_METHOD_##method, SSGI_PLAN_THICKNESS_##thickness, resolution, slices, samples, \
+      bands, history, field_resolution, surfel_size, { cost, gpu }, \
       { unoccluded, hsao, slabs, coarse, uneven, constant } }
 
 enum {
@@ -4814,13 +4815,14 @@ enum {
    terms above. The three rows of CONSTANT have CPU costs and weights of pictures of SOLID: make fit is due for them. */
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   /*                  thickness
-                      |         half
-                      |         |  directions
-                      |         |  |  steps
+                      |         resolution
+                      |         |  slices
+                      |         |  |  samples
                       |         |  |  |   bands
                       |         |  |  |   |  history                                         coarse
-          for         |         |  |  |   |  |  resolution                                   |     uneven
-          |  method   |         |  |  |   |  |  |  size   CPU    GPU    E      hsao   slabs  |     |      1e-4 */
+          for         |         |  |  |   |  |  field_resolution                             |     uneven
+          |  method   |         |  |  |   |  |  |  surfel_size
+          |  |        |         |  |  |   |  |  |  |      CPU    GPU    E      hsao   slabs  |     |      1e-4 */
   SSGI__P(V, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
   SSGI__P(V, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.05f, .92f,  .009f, 1.17f, 0,     0,    0,     0),
   SSGI__P(V, HSAO,    WIDTH,    1, 1, 8,  0, 0, 0, 0,     1.36f, 1.23f, .005f, 1.05f, 0,     0,    0,     .42f),
@@ -4839,9 +4841,9 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   SSGI__P(V, HSAO,    SLABS,    1, 3, 16, 0, 0, 0, 0,     6.43f, 4.98f, 0,     0,     .75f,  0,    0,     .2f),
   SSGI__P(V, HSAO,    SLABS,    0, 2, 7,  0, 0, 0, 0,     9.67f, 5.83f, 0,     0,     .79f,  0,    0,     0),
   SSGI__P(V, HSAO,    SLABS,    0, 2, 12, 0, 0, 0, 0,     12.4f, 8.97f, 0,     0,     .68f,  0,    0,     0),
-  SSGI__P(V, SURFELS, WIDTH,    3, 2, 8,  0, 0, 0, .03f,  1.28f, 1.94f, .025f, .78f,  0,     .037f,0,     .93f),
-  SSGI__P(V, SURFELS, WIDTH,    1, 2, 8,  0, 0, 0, .03f,  2.38f, 3.2f,  .002f, .8f,   0,     .01f, 0,     .2f),
-  SSGI__P(V, SURFELS, WIDTH,    0, 2, 7,  0, 0, 0, .03f,  5.4f,  8.21f, 0,     .75f,  0,     .002f,0,     0),
+  SSGI__P(V, DSS,     WIDTH,    3, 2, 8,  0, 0, 0, .03f,  1.28f, 1.94f, .025f, .78f,  0,     .037f,0,     .93f),
+  SSGI__P(V, DSS,     WIDTH,    1, 2, 8,  0, 0, 0, .03f,  2.38f, 3.2f,  .002f, .8f,   0,     .01f, 0,     .2f),
+  SSGI__P(V, DSS,     WIDTH,    0, 2, 7,  0, 0, 0, .03f,  5.4f,  8.21f, 0,     .75f,  0,     .002f,0,     0),
   SSGI__P(L, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
   SSGI__P(L, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.05f, .92f,  .017f, 1.08f, 0,     0,    0,     .54f),
   SSGI__P(L, HSAO,    WIDTH,    1, 2, 6,  0, 0, 0, 0,     1.74f, 1.55f, 0,     1.0f,  0,     0,    0,     0),
@@ -4871,8 +4873,8 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   SSGI__P(B, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     10.8f, 8.93f, .14f,  .042f, 0,     0,    .022f, 0),
   SSGI__P(B, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     16.9f, 10.8f, .11f,  0,     .039f, 0,    .021f, 0),
   SSGI__P(O, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
-  SSGI__P(O, FIELD,   WIDTH,    0, 0, 0,  0, 0, 4, 0,     .06f,  .05f,  .014f, 0,     0,     0,    0,     0),
-  SSGI__P(O, FIELD,   WIDTH,    0, 0, 0,  0, 0, 8, 0,     .06f,  .05f,  .011f, 0,     0,     0,    0,     0)
+  SSGI__P(O, AOF,     WIDTH,    0, 0, 0,  0, 0, 4, 0,     .06f,  .05f,  .014f, 0,     0,     0,    0,     0),
+  SSGI__P(O, AOF,     WIDTH,    0, 0, 0,  0, 0, 8, 0,     .06f,  .05f,  .011f, 0,     0,     0,    0,     0)
 };
 /* clang-format on */
 
@@ -4880,7 +4882,7 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 #define SSGI__PLAN_RADIUS 0.15   /* screen_radius */
 #define SSGI__PLAN_TEXELS 55.0   /* splats */
 #define SSGI__PLAN_COVERAGE 0.1f /* coverage */
-#define SSGI__PLAN_QUARTER 3     /* a row's half: SSGI_GL_HALF_QUARTER */
+#define SSGI__PLAN_QUARTER 3     /* a row's resolution: SSGI_GL_RESOLUTION_QUARTER */
 /* An unblurred 16-sample ssao takes a Radeon RX 6800 so many milliseconds at 1920x1080, modelled (make cost). */
 #define SSGI__PLAN_MS 0.184
 /* An error below a tenth of the one asked for is negligible: in squares it adds a hundredth. */
@@ -4936,7 +4938,7 @@ SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const float *energy = ssgi__plan_energy(s);
-    const double size = (double)row->size / ssgi__plan_radius(s);
+    const double size = (double)row->surfel_size / ssgi__plan_radius(s);
     double square[3], uneven = 0.0;
     ssgi__plan_errors(square, s);
     for (int l = 1; l < 4 && s->wanted; ++l) uneven += (double)energy[l] / (double)energy[0];
@@ -4956,8 +4958,8 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
     if (row->wanted != s->wanted || row->history > s->history) return 0;
     if (row->thickness > s->thickness && row->thickness != SSGI_PLAN_THICKNESS_CONSTANT) return 0;
     if (m == SSGI_PLAN_METHOD_SSDO && !s->map) return 0;
-    if (m == SSGI_PLAN_METHOD_SURFELS && !(s->surfels > 0.0)) return 0;
-    if (m == SSGI_PLAN_METHOD_FIELD && s->occluders < 1) return 0;
+    if (m == SSGI_PLAN_METHOD_DSS && !(s->surfels > 0.0)) return 0;
+    if (m == SSGI_PLAN_METHOD_AOF && s->occluders < 1) return 0;
     /* light from everywhere, or nearly so, has no direction: methods that know directions are taken to gain a tenth of
        the uneven term */
     return row->wanted != SSGI_PLAN_WANTED_LIGHT || (m != SSGI_PLAN_METHOD_S3HO && m != SSGI_PLAN_METHOD_SSDO)
@@ -4967,7 +4969,7 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
 /* Returns the texels of full size for one that a choice draws. */
 SSGI__FN double ssgi__plan_drawn(const ssgi__plan_row *row)
 {
-    return row->half == SSGI__PLAN_QUARTER ? 16.0 : row->half ? 4.0 : 1.0;
+    return row->resolution == SSGI__PLAN_QUARTER ? 16.0 : row->resolution ? 4.0 : 1.0;
 }
 
 /* Returns a choice's own cost plus the costs of depth passes, fields and surfels. */
@@ -4975,10 +4977,10 @@ SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene 
 {
     const int gpu = s->device != SSGI_PLAN_DEVICE_SOFTWARE;
     double cost = (double)row->cost[gpu];
-    if (row->method == SSGI_PLAN_METHOD_FIELD)
+    if (row->method == SSGI_PLAN_METHOD_AOF)
         cost += (double)ssgi__plan_costs[gpu].occluder * s->occluders
               * (double)(s->coverage > 0.0f ? s->coverage : SSGI__PLAN_COVERAGE);
-    if (row->method == SSGI_PLAN_METHOD_SURFELS)
+    if (row->method == SSGI_PLAN_METHOD_DSS)
         cost += (double)ssgi__plan_costs[gpu].texel * (s->splats > 0.0 ? s->splats : SSGI__PLAN_TEXELS)
                   / ssgi__plan_drawn(row)
               + (double)ssgi__plan_costs[gpu].surfel * s->surfels;
@@ -5085,14 +5087,14 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     memset(plan, 0, sizeof *plan);
     plan->method = row->method;
     plan->thickness = row->thickness;
-    plan->half = row->half;
-    plan->directions = row->directions;
-    plan->steps = row->steps;
+    plan->resolution = row->resolution;
+    plan->slices = row->slices;
+    plan->samples = row->samples;
     plan->bands = row->bands;
     plan->history = row->history;
-    plan->filter_radius = row->directions > 0;
-    plan->resolution = row->resolution;
-    plan->size = row->size;
+    plan->filter_radius = row->slices > 0;
+    plan->field_resolution = row->field_resolution;
+    plan->surfel_size = row->surfel_size;
     for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)fmin(sqrt(square), (double)SSGI_FAR);
     plan->cost = ssgi__plan_cost(row, s);
@@ -5102,8 +5104,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
            && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
                   < SSGI__PLAN_NEGLIGIBLE * (double)s->error)
         --plan->bands;
-    if (row->method != SSGI_PLAN_METHOD_SURFELS) return 1;
-    plan->levels = ssgi_splat_levels((double)row->size, (double)SSGI__SPLAT_EPSILON, 0.5 * ssgi__plan_radius(s));
+    if (row->method != SSGI_PLAN_METHOD_DSS) return 1;
+    plan->levels = ssgi_splat_levels((double)row->surfel_size, (double)SSGI__SPLAT_EPSILON, 0.5 * ssgi__plan_radius(s));
     return 1;
 }
 
@@ -5130,6 +5132,41 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
                               for (i = 4; i <= NF; ++i) print "s/\\<" $1 $i "\\>/" $3 $i "/g" }' ssgi.h >renames.sed
       sed -i -f renames.sed yours.c
 
+   SSGI_GL_HALF_NONE -> SSGI_GL_RESOLUTION_FULL
+   SSGI_GL_HALF_FIRST -> SSGI_GL_RESOLUTION_HALF
+   SSGI_GL_HALF_IN_TURN -> SSGI_GL_RESOLUTION_HALF_IN_TURN
+   SSGI_GL_HALF_ -> SSGI_GL_RESOLUTION_  QUARTER QUARTER_IN_TURN
+   SSGI_GL_TERMS_ -> SSGI_GL_MARCH_TERMS_  BOTH HORIZON NORMAL RAYS
+   SSGI_GL_PASS_FIELD -> SSGI_GL_PASS_AOF
+   SSGI_GL_PASS_SPLAT -> SSGI_GL_PASS_DSS
+   SSGI_PLAN_METHOD_FIELD -> SSGI_PLAN_METHOD_AOF
+   SSGI_PLAN_METHOD_SURFELS -> SSGI_PLAN_METHOD_DSS
+   ssgi_gl_half -> ssgi_gl_resolution
+   ssgi_gl_terms -> ssgi_gl_march_terms
+   desc.gather.directions -> desc.gather.slices
+   desc.gather.samples -> desc.gather.directions
+   desc.gather.steps -> desc.gather.samples
+   desc.gather.half -> desc.gather.resolution
+   desc.gather.terms -> desc.gather.march_terms
+   desc.gather.spheres -> desc.gather.growing_sphere
+   desc.gather.kernel -> desc.gather.kernel_texture
+   desc.gather.uniform -> desc.gather.uniform_directions
+   desc.gather.range -> desc.gather.range_check
+   desc.light.packed -> desc.light.packed_coefficients
+   desc.light.dimmed -> desc.light.occluded_emitters
+   desc.light.lights -> desc.light.harmonic_lights
+   desc.text. -> desc.shader.  dialect lines version fetch
+   frame.history -> frame.history_frames
+   u_ssgi_history -> u_ssgi_history_frames
+   plan.resolution -> plan.field_resolution
+   plan.half -> plan.resolution
+   plan.directions -> plan.slices
+   plan.steps -> plan.samples
+   plan.size -> plan.surfel_size
+
+   By hand: with SSGI_GL_SEARCH_MARCH desc.gather.directions keeps its name, and so does desc.gather.samples in pass
+   LIGHTS, where it counts the points on a segment. In JavaScript Ssgi.text is now Ssgi.shader.
+
    An orthographic eye may stand anywhere. Inside the shaders depth begins at the near plane where that lies behind the
    eye or is far away: frame.decode[3] is the view depth of that place, and ssgi_decode returns your own depth, as
    before. ssgi_view_depth is below 0 for what lies behind an orthographic eye. In the texture of pass thickness an
@@ -5148,7 +5185,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    each field that the pass does not look at. ssgi_gl_steps refuses choices of a chain that are out of their limits
    (ssgi_gl_chain_choice_at). The names of tools follow: of build/glsl-text --chain and make cost "hsao-slabs" is now
    "hsao,thickness=slabs", "ssdo" has a bounce ("ssdo,bounce=none" has not), as build/render has had it; so it is with
-   "s3ho" ("s3ho,transfer=direct,packed=0,restore=ratio"). PASS,PRESET is NAME,PRESET: "dss,best", not "splat,best".
+   "s3ho" ("s3ho,transfer=direct,packed_coefficients=0,restore=ratio"). PASS,PRESET is NAME,PRESET: "dss,best", not
+   "splat,best".
 
    New fields: gather.facets seeks occluders above the facets that depth shows, where smooth normals on coarse meshes
    or normal maps make facets darken themselves, while light and filters keep your normals; gather.lift has slices lift
@@ -5156,16 +5194,16 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    not seen of emitters sends nothing, where their other side sends 0.35 of their radiance; light.clamp: none sends
    more luminance than frame.sent, against fireflies. All are 0 by default.
 
-   desc.text.uniforms LOOSE declares a uniform for each value of the frame, for engines that have no uniform blocks and
-   set values by name (Ogre, Cesium, bgfx, Irrlicht).
+   desc.shader.uniforms LOOSE declares a uniform for each value of the frame, for engines that have no uniform blocks
+   and set values by name (Ogre, Cesium, bgfx, Irrlicht).
 
-   In VULKAN desc.text.block_set and texture_set are the sets of the uniform blocks and of the textures, and with
-   desc.text.dense bindings have no gaps: for SDL_GPU, and engines that have sets of their own. ssgi_gl_io.set and
+   In VULKAN desc.shader.block_set and texture_set are the sets of the uniform blocks and of the textures, and with
+   desc.shader.dense bindings have no gaps: for SDL_GPU, and engines that have sets of their own. ssgi_gl_io.set and
    .binding, ssgi_gl_input.set and .binding tell them.
 
    Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST has that filter, too, as
    have methods s3ho and s3ho-fast. From half size a filter of radius 2 is a tent of 5.5 pixels that goes without its
-   corners. Set filter.radius = 1 and gather.steps = 6 for what 0.4 drew. With chain.history radius 1 suffices, as
+   corners. Set filter.radius = 1 and gather.samples = 6 for what 0.4 drew. With chain.history radius 1 suffices, as
    hsao-history has it. Pass thickness reads no normals.
 
    GLSL has whole words instead of letters, and one quantity a line: shaders compute what they did. Where your own GLSL
@@ -5179,7 +5217,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
    seconds: texts count to the rows that the textures have. Numbers that are not finite were taken for finite by some
    compilers with -ffast-math. Colours of surfels that are not finite count as 0. Shaders divided by 0 in the hull of a
-   field that reaches no farther, and for directions of your own along the horizon (bounce PATCH, uniform).
+   field that reaches no farther, and for directions of your own along the horizon (bounce PATCH, uniform_directions).
 
    CHANGES in 0.4, November 2026
    Names are the field's, once each. Enumerators name their group. ssgi_gl_desc has groups, and its enumerations are

@@ -41,7 +41,7 @@
                    floating-point targets need EXT_color_buffer_float or, if of 16 bits, EXT_color_buffer_half_float
       uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
                    the text holds the slots of ssgi_gl_reflect's rows; in the others set them once by name
-                   (glUniform1i, glUniformBlockBinding). Engines without blocks: desc.text.uniforms. An engine that
+                   (glUniform1i, glUniformBlockBinding). Engines without blocks: desc.shader.uniforms. An engine that
                    caches GL's state must drop that cache after these draws
       projection   take the one that depth was drawn with: some engines (OpenSceneGraph) move its near and far planes,
                    and their getter does not return the result. For left-handed projections see
@@ -65,12 +65,12 @@
                               fetches one texel a sample
                 shade         shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12,
                               SSBN11]
-                field         ambient occlusion by rigid occluders whose fields were baked; blending multiplies them
+                aof           ambient occlusion by rigid occluders whose fields were baked; blending multiplies them
                               [AOF05]
                 surfels       makes surfels from triangles, or lights the surfels of a buffer; writes into a buffer
                               [DSS14]
                 interleave    distributes the pixels to the sub-buffers of every level [DSS14]
-                splat         adds up the effects of surfels on them
+                dss           adds up the effects of surfels on them
                 deinterleave  puts the pixels back in their places
                 smooth        filters each level within surfaces
                 sum           adds the levels up
@@ -96,15 +96,15 @@
                    desc.light.shadow tells
       s3ho         with chain.coefficients the filtered coefficients hold while camera and geometry stay: where the
                    light alone changed, draw only the steps from shade on
-      field        each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). The result is not filtered. Forward
+      aof          each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). The result is not filtered. Forward
                    shaders call the function that ssgi_gl_field writes
       history      each frame set frame.phase = ssgi_gl_phase(its number), and call ssgi_gl_frame_history except after a
                    cut. Where the picture's size changes, the last frame's textures are read at their own
-      splat        surfels are made by ssgi_surfels on the CPU, or by pass surfels: transform feedback of its CAPTURE
+      dss          surfels are made by ssgi_surfels on the CPU, or by pass surfels: transform feedback of its CAPTURE
                    rows, interleaved and with rasteriser discard on, writes ssgi_surfel[] (with at most two of radius 0
-                   for each surfel that ssgi_surfels makes). Pass splat reads three vec4 attributes an instance, with
+                   for each surfel that ssgi_surfels makes). Pass dss reads three vec4 attributes an instance, with
                    divisor 1. With tessellate either pass draws patches of 3 vertices in splits * splits instances, and
-                   splat needs no buffer of surfels
+                   dss needs no buffer of surfels
 
    ROOMS        search for ">>"
       >>desc       your choices and their limits
@@ -153,10 +153,10 @@ typedef enum ssgi_gl_pass {
     SSGI_GL_PASS_LIGHTS,
     SSGI_GL_PASS_EMITTERS,
     SSGI_GL_PASS_SHADE,
-    SSGI_GL_PASS_FIELD,
+    SSGI_GL_PASS_AOF,
     SSGI_GL_PASS_SURFELS,
     SSGI_GL_PASS_INTERLEAVE,
-    SSGI_GL_PASS_SPLAT,
+    SSGI_GL_PASS_DSS,
     SSGI_GL_PASS_DEINTERLEAVE,
     SSGI_GL_PASS_SMOOTH,
     SSGI_GL_PASS_SUM,
@@ -170,10 +170,10 @@ typedef enum ssgi_gl_pass {
     SSGI_GL_PASS_FORCE = SSGI_FORCE
 } ssgi_gl_pass;
 
-/* desc.text.dialect: the language of the text.
+/* desc.shader.dialect: the language of the text.
    VULKAN: text for SPIR-V, which other tools translate to HLSL, MSL and WGSL.
-     bindings    the uniform blocks ssgi_frame and ssgi_views are at bindings 0 and 1 of set desc.text.block_set, the
-                 texture of unit u is at 2 + u of set desc.text.texture_set, by default both 0; with desc.text.dense
+     bindings    the uniform blocks ssgi_frame and ssgi_views are at bindings 0 and 1 of set desc.shader.block_set, the
+                 texture of unit u is at 2 + u of set desc.shader.texture_set, by default both 0; with desc.shader.dense
                  bindings have no gaps (ssgi_gl_io.set, .binding; ssgi_gl_input.set, .binding). A texture is a sampled
                  image, fetched without a sampler, in the layout GENERAL or SHADER_READ_ONLY_OPTIMAL. Its view is of an
                  array where ssgi_gl_input.array says so, even of one slice, as that of emitters. Bindings from 18 on
@@ -184,7 +184,7 @@ typedef enum ssgi_gl_pass {
      rows        viewport heights are positive. Give ssgi_view_from_projection SSGI_CLIP_ZERO and Vulkan's own matrix,
                  whose y points down: row 0 is at NDC y = -1. Where the scene has row 0 at 1 (drawn with a negative
                  height, or by D3D, Metal or WebGPU), negate the matrix's second row; in D3D, Metal and WebGPU also
-                 negate gl_Position.y in the vertex stages of field and splat, as make glsl WGSL=1 does. Noise follows
+                 negate gl_Position.y in the vertex stages of aof and dss, as make glsl WGSL=1 does. Noise follows
                  rows: a picture whose rows run the other way differs from GL's by its noise
      blending    ssgi_gl_step.blend has GL's numbers. FUNC_ADD and FUNC_REVERSE_SUBTRACT are VK_BLEND_OP_ADD and
                  VK_BLEND_OP_REVERSE_SUBTRACT; ZERO, ONE, DST_COLOR are VK_BLEND_FACTOR_ZERO, _ONE, _DST_COLOR. WebGPU
@@ -204,7 +204,7 @@ typedef enum ssgi_gl_dialect {
     SSGI_GL_DIALECT_FORCE = SSGI_FORCE
 } ssgi_gl_dialect;
 
-/* desc.text.uniforms: how a text declares the values of the frame.
+/* desc.shader.uniforms: how a text declares the values of the frame.
      BLOCK    uniform blocks: ssgi_frame is ssgi_gl_frame byte for byte, ssgi_views is ssgi_gl_views
      LOOSE    a uniform of its own for each member that the stage reads, for engines that set uniforms by name and have
               no blocks: "uniform float u_ssgi_radius;". Before each step set those of ssgi_gl_reflect's rows of kind
@@ -234,7 +234,7 @@ typedef enum ssgi_gl_depth {
     SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background. Where the near plane of
                                  an orthographic camera is at the eye or behind it, view depth may be negative: then 0,
                                  and what lies in front of the near plane, is background */
-    SSGI_GL_DEPTH_CUSTOM,     /* desc.text.fetch: float ssgi_custom_depth(ivec2 texel, int layer) returns what LINEAR
+    SSGI_GL_DEPTH_CUSTOM,     /* desc.shader.fetch: float ssgi_custom_depth(ivec2 texel, int layer) returns what LINEAR
                                  holds; may call ssgi_decode */
     SSGI_GL_DEPTH_FORCE = SSGI_FORCE
 } ssgi_gl_depth;
@@ -245,7 +245,7 @@ typedef enum ssgi_gl_normal {
     SSGI_GL_NORMAL_UNSIGNED,   /* xyz * 0.5 + 0.5 (unorm texture) */
     SSGI_GL_NORMAL_OCTAHEDRAL, /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
     SSGI_GL_NORMAL_FROM_DEPTH, /* no texture: computed from the nearer depth neighbours, by 4 more fetches */
-    SSGI_GL_NORMAL_CUSTOM,     /* desc.text.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
+    SSGI_GL_NORMAL_CUSTOM,     /* desc.shader.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
     SSGI_GL_NORMAL_FORCE = SSGI_FORCE
 } ssgi_gl_normal;
 
@@ -265,16 +265,16 @@ typedef enum ssgi_gl_search {
     SSGI_GL_SEARCH_FORCE = SSGI_FORCE
 } ssgi_gl_search;
 
-/* desc.gather.terms: the terms of the march that count. All but RAYS seek the horizon: with desc.gather.layers or
+/* desc.gather.march_terms: the terms of the march that count. All but RAYS seek the horizon: with desc.gather.layers or
    desc.gather.views that of their solids; otherwise visible surfaces have no far side, whatever desc.gather.thickness
    is. With NORMAL and RAYS normal_rays 0 means 1. */
-typedef enum ssgi_gl_terms {
-    SSGI_GL_TERMS_BOTH = 0, /* occlusion below the horizon in closed form, and above it by normal_rays rays */
-    SSGI_GL_TERMS_HORIZON,  /* below the horizon alone, as with normal_rays 0 [HSAO08 fig. 10a] */
-    SSGI_GL_TERMS_NORMAL,   /* above the horizon alone: the part that normal rays add [HSAO08 fig. 10b] */
-    SSGI_GL_TERMS_RAYS,     /* no horizon: directions x normal_rays rays over the whole hemisphere [HSAO08 fig. 12] */
-    SSGI_GL_TERMS_FORCE = SSGI_FORCE
-} ssgi_gl_terms;
+typedef enum ssgi_gl_march_terms {
+    SSGI_GL_MARCH_TERMS_BOTH = 0, /* occlusion below the horizon in closed form, and above it by normal_rays rays */
+    SSGI_GL_MARCH_TERMS_HORIZON,  /* below the horizon alone, as with normal_rays 0 [HSAO08 fig. 10a] */
+    SSGI_GL_MARCH_TERMS_NORMAL,   /* above the horizon alone: the part that normal rays add [HSAO08 fig. 10b] */
+    SSGI_GL_MARCH_TERMS_RAYS, /* no horizon: directions x normal_rays rays over the whole hemisphere [HSAO08 fig. 12] */
+    SSGI_GL_MARCH_TERMS_FORCE = SSGI_FORCE
+} ssgi_gl_march_terms;
 
 /* desc.gather.thickness: how far visible surfaces reach, away from the viewer.
      pass thickness      writes thickness and view depth, which slices read with WIDTH, BACK and SLABS, the others with
@@ -303,7 +303,7 @@ typedef enum ssgi_gl_falloff {
     SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
     SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: needed by a bounce that restores the light that virtual point
                                    lights lose to their clamp (ssgi_gl_light.min_distance = radius) */
-    SSGI_GL_FALLOFF_NONE,       /* 1 up to the radius: each surface within it occludes fully. hsao, splat; ssdo and s3ho
+    SSGI_GL_FALLOFF_NONE,       /* 1 up to the radius: each surface within it occludes fully. hsao, dss; ssdo and s3ho
                                    by slices; points cannot be spread so */
     SSGI_GL_FALLOFF_FORCE = SSGI_FORCE
 } ssgi_gl_falloff;
@@ -364,7 +364,7 @@ typedef enum ssgi_gl_transfer {
 /* desc.light.harmonics: the light that coefficients are dotted with. */
 typedef enum ssgi_gl_harmonics {
     SSGI_GL_HARMONICS_FRAME = 0, /* frame.harmonics: the same everywhere */
-    SSGI_GL_HARMONICS_CUSTOM,    /* desc.text.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position) returns coefficient
+    SSGI_GL_HARMONICS_CUSTOM, /* desc.shader.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position) returns coefficient
                                     i of the radiance, in the world, at a view-space position, as from a volume of
                                     probes [S3HO12 1, 6]. It is called for each i once a pixel, where coefficients are
                                     shaded or unoccluded light is restored */
@@ -385,7 +385,7 @@ typedef enum ssgi_gl_shading {
 typedef enum ssgi_gl_objects {
     SSGI_GL_OBJECTS_NONE = 0,
     SSGI_GL_OBJECTS_TEXTURE, /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
-    SSGI_GL_OBJECTS_CUSTOM,  /* desc.text.fetch: uint ssgi_custom_object(ivec2 texel) */
+    SSGI_GL_OBJECTS_CUSTOM,  /* desc.shader.fetch: uint ssgi_custom_object(ivec2 texel) */
     SSGI_GL_OBJECTS_FORCE = SSGI_FORCE
 } ssgi_gl_objects;
 
@@ -405,12 +405,13 @@ typedef enum ssgi_gl_effect {
                                      surfels of size 0.015, every triangle's (keep_small). On a bunny of marble its
                                      error is then 0.10 of the mean light; with PRESET_BALANCED 0.32, for a third of the
                                      texels */
-    SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.text.fetch */
+    SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.shader.fetch */
     SSGI_GL_EFFECT_FORCE = SSGI_FORCE
 } ssgi_gl_effect;
 
-/* EFFECT_CUSTOM calls these functions of desc.text.fetch: the paper's getMaxDist and computeEffect [DSS14 section 3.2].
-   A surfel is a disc of view-space position, unit normal and radius, with the colour that desc.surfel.sends gave it.
+/* EFFECT_CUSTOM calls these functions of desc.shader.fetch: the paper's getMaxDist and computeEffect [DSS14 section
+   3.2]. A surfel is a disc of view-space position, unit normal and radius, with the colour that desc.surfel.sends gave
+   it.
      float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon)
          returns the distance from the surfel's centre beyond which its effect is less than epsilon (frame.epsilon),
          linear in the radius; 0: it has no effect. For a form factor it is radius * sqrt(1.0 / epsilon - 1.0). Level 0
@@ -436,7 +437,7 @@ typedef enum ssgi_gl_sends {
     SSGI_GL_SENDS_COLOUR = 0, /* the colour that they had */
     SSGI_GL_SENDS_LIGHTS,     /* that colour times irradiance over pi: by t_ssgi_lights, shadowed if desc.light.shadow
                                  is MAP or FILL, and by the unoccluded environment if there is desc.light.environment */
-    SSGI_GL_SENDS_CUSTOM,     /* desc.text.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
+    SSGI_GL_SENDS_CUSTOM,     /* desc.shader.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
     SSGI_GL_SENDS_FORCE = SSGI_FORCE
 } ssgi_gl_sends;
 
@@ -474,15 +475,15 @@ typedef enum ssgi_gl_filter {
     SSGI_GL_FILTER_FORCE = SSGI_FORCE
 } ssgi_gl_filter;
 
-/* desc.gather.half: the pixels that a gather writes. Blur or history brings its result to full size. */
-typedef enum ssgi_gl_half {
-    SSGI_GL_HALF_NONE = 0,        /* all of them */
-    SSGI_GL_HALF_FIRST,           /* the first pixel of every 2x2, so that the size is half, rounded up */
-    SSGI_GL_HALF_IN_TURN,         /* each of the four in turn, by frame.phase: ssgi_gl_steps sets this before history */
-    SSGI_GL_HALF_QUARTER,         /* the first pixel of every 4x4: a quarter of the size */
-    SSGI_GL_HALF_QUARTER_IN_TURN, /* each of these sixteen in turn */
-    SSGI_GL_HALF_FORCE = SSGI_FORCE
-} ssgi_gl_half;
+/* desc.gather.resolution: the pixels that a gather writes. Blur or history brings its result to full size. */
+typedef enum ssgi_gl_resolution {
+    SSGI_GL_RESOLUTION_FULL = 0,     /* all of them */
+    SSGI_GL_RESOLUTION_HALF,         /* the first pixel of every 2x2, so that the size is half, rounded up */
+    SSGI_GL_RESOLUTION_HALF_IN_TURN, /* each of the four in turn, by frame.phase: set by ssgi_gl_steps before history */
+    SSGI_GL_RESOLUTION_QUARTER,      /* the first pixel of every 4x4: a quarter of the size */
+    SSGI_GL_RESOLUTION_QUARTER_IN_TURN, /* each of these sixteen in turn */
+    SSGI_GL_RESOLUTION_FORCE = SSGI_FORCE
+} ssgi_gl_resolution;
 
 /* The groups of ssgi_gl_desc hold your choices when a program is built. Zero is the default everywhere; counts
    become literal constants in the text, and a feature that is off leaves no text. A field's comment begins with the
@@ -512,10 +513,10 @@ typedef struct ssgi_gl_input_desc {
                           of which multiview saves none, and it would want arrays of all of them */
     int motion;        /* history, change_mask   1: t_ssgi_motion says where each pixel was, so that objects that move
                           on their own keep their average; 0: the camera alone moves */
-    ssgi_gl_objects objects; /* field */
+    ssgi_gl_objects objects; /* aof */
 
     /* the papers' own */
-    int cap_table; /* field   0: a cap's occlusion is computed in closed form; 1: it is read from t_ssgi_cap, your
+    int cap_table; /* aof   0: a cap's occlusion is computed in closed form; 1: it is read from t_ssgi_cap, your
                       ssgi_cap_table, as published [AOF05 4.2], by 4 more fetches; ssgi_cap_table states its error */
 } ssgi_gl_input_desc;
 
@@ -524,13 +525,14 @@ typedef struct ssgi_gl_input_desc {
 typedef struct ssgi_gl_gather_desc {
     /* where they look */
     ssgi_gl_search search; /* hsao, ssdo, s3ho; ssao always has points */
-    int directions;        /* slices, march   [limit: 0..32] [default: slices 1, march 6]  the paper's N_d; a slice has
-                              two directions */
-    int samples; /* points   [limit: 0..64] [default: 16; lights 8]  directions; lights: points on a segment */
-    int steps;   /* [limit: 0..64] [default: 6; points 1]  steps along each direction, N_s; of the points along
-                            a direction the first occluded one counts */
+    int slices;            /* slices   [limit: 0..32] [default: 1]  how many; each is walked in two directions */
+    int directions;        /* points, march   [limit: 0..64] [default: points 16, march 6]  how many: the papers' N and
+                              N_d */
+    int samples; /* [limit: 0..64] [default: 6; points 1; lights 8]  samples along each direction, N_s; lights:
+                              along the segment. Of the points along a direction the first occluded one counts */
     ssgi_gl_noise noise;
-    ssgi_gl_half half; /* gathers, shade; blur, history: how their input was written, from which they go to full size */
+    ssgi_gl_resolution
+        resolution; /* gathers, shade; blur, history: how their input was written, from which they go to full size */
 
     /* the occluders: gathers and lights */
     ssgi_gl_thickness thickness;
@@ -541,7 +543,7 @@ typedef struct ssgi_gl_gather_desc {
                                 sees it in front of its depth, and occluded if none does and one finds it inside a
                                 solid */
     int view_layers;         /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
-    ssgi_gl_falloff falloff; /* points, slices, march, splat */
+    ssgi_gl_falloff falloff; /* points, slices, march, dss */
     int facets;              /* gathers, shade   1: occluders are sought above the facet that depth shows, as with
                                 input.normal FROM_DEPTH, but filters, emitters and lights keep your normals, so that
                                 restored light (light.restore) stays smooth. For smooth normals on coarse meshes and for
@@ -553,27 +555,27 @@ typedef struct ssgi_gl_gather_desc {
                                 where there are holes between them. Things lower than that lift do not occlude */
 
     /* the papers' own */
-    int normal_rays;     /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
-    ssgi_gl_terms terms; /* hsao by march */
-    int spheres;         /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the
+    int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
+    ssgi_gl_march_terms march_terms; /* hsao by march */
+    int growing_sphere; /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the
                             ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
-    int kernel;          /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by noise */
-    int uniform;         /* points of gathers   1: directions are spread evenly, as published, and each is weighted by
-                            2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same, which
-                            has a lower error */
-    ssgi_gl_fade fade;   /* points */
-    int range;           /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
+    int kernel_texture; /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by noise */
+    int uniform_directions; /* points of gathers   1: directions are spread evenly, as published, and each is weighted
+                               by 2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same,
+                               which has a lower error */
+    ssgi_gl_fade fade;      /* points */
+    int range_check;        /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
                             [S3HO12 2.1] */
 } ssgi_gl_gather_desc;
 
 /* ---- desc.light: the light of ssdo, lights and emitters, and the coefficients of s3ho, shade and their blur */
 typedef struct ssgi_gl_light_desc {
-    ssgi_gl_environment environment; /* ssdo, blur, history, surfels, splat */
+    ssgi_gl_environment environment; /* ssdo, blur, history, surfels, dss */
     ssgi_gl_harmonics harmonics;     /* ssdo with SH, s3ho shaded, shade and blur by HARMONICS */
     ssgi_gl_bounce bounce;           /* ssdo   environment and bounce must not both be NONE. With both, two targets are
                                         written from one visibility. compose   any but NONE: adds t_ssgi_bounce */
     int two_sided;                   /* ssdo, s3ho   1: emitters shine from both sides; 0: from their visible side,
-                                        while in slices the other side emits 0.35 of its radiance. splat   1: surfels
+                                        while in slices the other side emits 0.35 of its radiance. dss   1: surfels
                                         occlude from both sides, for sheets */
     int one_sided;                   /* ssdo, s3ho by slices   1: surfaces that are not seen send nothing: neither those
                                         other sides, nor second slabs. For lamps, screens and signs with a dark back,
@@ -585,7 +587,7 @@ typedef struct ssgi_gl_light_desc {
                                         pixel that is far brighter than others (a spark, a glint) makes a bright spot of
                                         each pixel that meets it otherwise. What is as bright on purpose gets darker.
                                         It is 13 instructions of pass emitters */
-    ssgi_gl_shadow shadow;           /* lights, surfels, splat */
+    ssgi_gl_shadow shadow;           /* lights, surfels, dss */
     ssgi_gl_restore restore;         /* ssdo, s3ho shaded, shade, history, blur   with any value but NONE o_ssgi_light
                                         is not light until blur or history has drawn with this desc and filter.quantity
                                         LIGHT. A bounce alone is not restored */
@@ -593,11 +595,11 @@ typedef struct ssgi_gl_light_desc {
     /* coefficients */
     int bands;                 /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2
                                   coefficients; bent normals need 2 bands */
-    int packed;                /* 0: up to four targets of four floats each; 1: up to two of RGBA32UI a set, of eight
+    int packed_coefficients;   /* 0: up to four targets of four floats each; 1: up to two of RGBA32UI a set, of eight
                                   halves each */
     ssgi_gl_transfer transfer; /* three sets must be packed. blur, history   REFLECTED: nothing is restored, since
                                   REFLECTED has no unoccluded light */
-    int dimmed;                /* s3ho with a transfer, of one layer   1: an emitter reflects the light that the last
+    int occluded_emitters;     /* s3ho with a transfer, of one layer   1: an emitter reflects the light that the last
                                   frame's coefficients let through to it, and the light that reached it from other
                                   emitters: t_ssgi_last_red0 .., three filtered sets of BOTH, full size. 0: it reflects
                                   its open lobe [S3HO12 2.3] */
@@ -609,7 +611,7 @@ typedef struct ssgi_gl_light_desc {
                                   lamp's light to surfaces that are turned away from it, whose error is larger than
                                   without occlusion */
     ssgi_gl_shading shading;   /* shade */
-    int lights;                /* shade   1: adds rows of t_ssgi_lights as harmonics, which the coefficients alone
+    int harmonic_lights;       /* shade   1: adds rows of t_ssgi_lights as harmonics, which the coefficients alone
                                   occlude; a POINT is a sphere of radius min_distance */
     int albedo;                /* shade   1: the pass writes outgoing radiance; 0: irradiance over pi */
 
@@ -620,28 +622,28 @@ typedef struct ssgi_gl_light_desc {
     int accumulate;            /* lights   1: adds to t_ssgi_light, which an earlier pass of this frame wrote */
 } ssgi_gl_light_desc;
 
-/* ---- desc.surfel: surfels, interleave, splat, deinterleave, smooth, sum */
+/* ---- desc.surfel: surfels, interleave, dss, deinterleave, smooth, sum */
 typedef struct ssgi_gl_surfel_desc {
-    ssgi_gl_effect effect; /* splat, deinterleave, smooth, sum */
+    ssgi_gl_effect effect; /* dss, deinterleave, smooth, sum */
     int levels;            /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
                                 taps of the level before. 4 reach 12 surfel radii where epsilon is 0.3, 0.18 image
                                 heights of size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
                                 wants 5, SCATTER 7 */
-    int tessellate;        /* surfels, splat   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
+    int tessellate;        /* surfels, dss   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
                                 310es */
-    ssgi_gl_sends sends;   /* surfels, splat when tessellate */
-    int span;              /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
+    ssgi_gl_sends sends;   /* surfels, dss when tessellate */
+    int span;              /* hsao, ssdo by slices; dss, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
                                 nearer surfaces are left to slices, farther and hidden ones to surfels; 6 have the
                                 lowest error; 0: all to surfels. The slices are 2x8 where desc.gather names no other
                                 number, and WIDTH where it names no thickness */
-    int near_samples;      /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
+    int near_samples;      /* dss   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
                                 0, 1: its centre alone, as published, which finds half of the true effect at 1/3 radius
                                 from a wall. SPECULAR wants 4, SCATTER does not look at it */
 
     /* the papers' own */
-    ssgi_overhang overhang;  /* surfels, splat when tessellate   how triangles shrink, as in ssgi_surfel_desc
+    ssgi_overhang overhang;  /* surfels, dss when tessellate   how triangles shrink, as in ssgi_surfel_desc
                                 (ssgi.h) */
-    int enlarge;             /* splat, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
+    int enlarge;             /* dss, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
                                 count 4^l times. Wider ones bring up to a third less than the surfels that they stand
                                 for, where epsilon is 0.1 */
     ssgi_gl_combine combine; /* sum, but SCATTER */
@@ -654,7 +656,7 @@ typedef struct ssgi_gl_surfel_desc {
 typedef struct ssgi_gl_filter_desc {
     ssgi_gl_filter kind; /* blur, history: choice "filter" */
     int radius;          /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size
-                                  when gather.half: 1 is 3x3. Choice "filter_radius" */
+                                  when gather.resolution: 1 is 3x3. Choice "filter_radius" */
     int normals;         /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch
                                   each. Choice "filter_normals" */
     ssgi_gl_onto onto;   /* blur of ambient visibility, compose */
@@ -663,8 +665,8 @@ typedef struct ssgi_gl_filter_desc {
     ssgi_gl_quantity quantity; /* blur alone filters coefficients, as history averages the light of shade */
 } ssgi_gl_filter_desc;
 
-/* ---- desc.text: the language of the text, and your own lines in it */
-typedef struct ssgi_gl_text_desc {
+/* ---- desc.shader: the language of the text, and your own lines in it */
+typedef struct ssgi_gl_shader_desc {
     ssgi_gl_dialect dialect;
     ssgi_gl_uniforms uniforms;
     int block_set;       /* VULKAN   [limit: 0..31]  the descriptor set of the uniform blocks */
@@ -676,7 +678,7 @@ typedef struct ssgi_gl_text_desc {
     int lines;           /* 1: the text has #line directives, so that a compiler's "0:N" is line N of this header */
     const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
-} ssgi_gl_text_desc;
+} ssgi_gl_shader_desc;
 
 /* One pass, and your choices for it. Groups that it does not look at may hold anything within their limits, so that one
    desc serves a chain. */
@@ -687,10 +689,10 @@ typedef struct ssgi_gl_desc {
     ssgi_gl_light_desc light;
     ssgi_gl_surfel_desc surfel;
     ssgi_gl_filter_desc filter;
-    ssgi_gl_text_desc text;
+    ssgi_gl_shader_desc shader;
 } ssgi_gl_desc;
 
-/* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence on the wrong field and its limits ("desc.gather.steps: must be
+/* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence on the wrong field and its limits ("desc.gather.samples: must be
    0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
@@ -718,16 +720,16 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
 
 /* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
-   desc->pass with desc->gather.search, and in its filter, so that the same desc serves blur: half, directions or
-   samples, steps, normal_rays and noise of desc->gather, kind and radius of desc->filter; range and fade of points; for
-   ssdo with an environment light.restore RATIO, without which blur would smooth creases.
+   desc->pass with desc->gather.search, and in its filter, so that the same desc serves blur: resolution, slices or
+   directions, samples, normal_rays and noise of desc->gather, kind and radius of desc->filter; range_check and fade of
+   points; for ssdo with an environment light.restore RATIO, without which blur would smooth creases.
      slices        hsao: FAST half size 1x10, BALANCED half 2x8, BEST full 2x7 (slices x steps); ssdo, s3ho: half 1x5,
                    half 2x9, full 2x9. thickness: of hsao FAST is CONSTANT, which saves a pass, all others are DEFAULT;
                    SOLID, WIDTH, BACK and SLABS stay
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
-     splat         quarter size, half, full; slices near by, with a span: 2x8, 2x8, 2x7. SPECULAR and SCATTER, which
+     dss           quarter size, half, full; slices near by, with a span: 2x8, 2x8, 2x7. SPECULAR and SCATTER, which
                    have no slices, want BEST
    All other fields stay: set thickness BACK or SLABS where you can draw those passes. Passes without such settings are
    left as they are. Bad input leaves desc as it is. */
@@ -757,7 +759,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
 /* A number for caches of programs. It is equal when the choices that reach the text are equal (texts in
-   desc.text.version and desc.text.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
+   desc.shader.version and desc.shader.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* Writes the GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
@@ -777,7 +779,7 @@ SSGI_DEF size_t ssgi_gl_reflection(char *out, size_t capacity);
      float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
    This function returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, or as many as it
    has, except those of that object (0: none), in the space that ssgi_gl_occluder_set was given. ssgi_gl_field reads
-   desc->input.cap_table, and whether desc->text.dialect is VULKAN, which has another text. In GLES the text needs
+   desc->input.cap_table, and whether desc->shader.dialect is VULKAN, which has another text. In GLES the text needs
    "precision highp float; precision highp int;" before it, in VULKAN the extension
    GL_EXT_samplerless_texture_functions. It works like snprintf; a bad desc returns 0. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
@@ -799,7 +801,7 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
      normal    as desc.input says: in view space, or in the world
    A surface that no texel shows, as a pane far in front of all else, is unoccluded: visibility and restored light go
    there over the distance to the surfaces that are shown, by half at a radius; from full size at once. The block
-   ssgi_frame is ssgi_gl_frame, unless desc.text.uniforms is LOOSE. A shader holds one such text, which reads one
+   ssgi_frame is ssgi_gl_frame, unless desc.shader.uniforms is LOOSE. A shader holds one such text, which reads one
    texture, and with coefficients none of ssgi_gl_sh, whose functions it has. In GLES the text needs the lines that
    ssgi_gl_field needs. It works like snprintf. */
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc);
@@ -809,8 +811,8 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL
 
 /* ==== >>io ======================================================================================================== */
 
-/* ssgi_gl_io.kind. PARAM: a member of a uniform block, or with desc.text.uniforms LOOSE a uniform of its own. CAPTURE:
-   a varying for transform feedback. */
+/* ssgi_gl_io.kind. PARAM: a member of a uniform block, or with desc.shader.uniforms LOOSE a uniform of its own.
+   CAPTURE: a varying for transform feedback. */
 enum {
     SSGI_GL_IO_TEXTURE,
     SSGI_GL_IO_PARAM,
@@ -849,9 +851,9 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
    alone. */
 typedef struct ssgi_gl_chain {
     /* ---- the passes */
-    ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT. The passes around it are drawn with its
+    ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, AOF or DSS. The passes around it are drawn with its
                             choices, too: SSDO with an environment and a bounce draws that light, then its bounce; S3HO
-                            with a transfer draws its emitters first; SPLAT by LIGHT with a bounce then draws the light
+                            with a transfer draws its emitters first; DSS by LIGHT with a bounce then draws the light
                             that surfels send */
     ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc. Another pass:
                             none */
@@ -863,7 +865,7 @@ typedef struct ssgi_gl_chain {
                        blur = 1 */
     int coefficients; /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is
                             filtered */
-    int unsmoothed;   /* splat   1: levels are added unfiltered */
+    int unsmoothed;   /* dss   1: levels are added unfiltered */
 
     /* ---- the emitters */
     int reuse;   /* ssdo   1: emitters send the last frame's light, so that one gather does light and bounce */
@@ -873,8 +875,8 @@ typedef struct ssgi_gl_chain {
     int direct; /* 1: emitters send your own radiance, too (t_ssgi_direct) */
 
     /* ---- surfels */
-    int surfels;    /* splat   1: pass surfels writes the surfels of this frame: lit, or from patches */
-    int hidden_sky; /* splat   1: desc.light.environment, unoccluded, lights the surfels that the picture does not show.
+    int surfels;    /* dss   1: pass surfels writes the surfels of this frame: lit, or from patches */
+    int hidden_sky; /* dss   1: desc.light.environment, unoccluded, lights the surfels that the picture does not show.
                        LIGHT without span always has it light all surfels */
 
     /* ---- targets */
@@ -957,7 +959,7 @@ typedef struct ssgi_gl_output {
 enum {
     SSGI_GL_SIZE_FULL = 0,
     SSGI_GL_SIZE_HALF,   /* half of the image, rounded up */
-    SSGI_GL_SIZE_LEVELS, /* the size of all levels: ssgi_splat_size of what desc.gather.half leaves */
+    SSGI_GL_SIZE_LEVELS, /* the size of all levels: ssgi_splat_size of what desc.gather.resolution leaves */
     SSGI_GL_SIZE_TILES,  /* an eighth of the image, rounded up */
     SSGI_GL_SIZE_QUARTER /* a quarter of the image, rounded up */
 };
@@ -1088,20 +1090,21 @@ typedef struct ssgi_gl_frame {
     float mesh[16];   /* mesh to view space, column-major; identity by default */
     float dipole[16]; /* EFFECT_SCATTER: ssgi_gl_dipole_set */
     float keep_small; /* ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
-    float near_depth; /* field, splat   [units: view] [default: the near plane]  lower bound of the frame's view depths:
+    float near_depth; /* aof, dss   [units: view] [default: the near plane]  lower bound of the frame's view depths:
                          the last frame's minimum, for instance, culls most occluders and surfels around the eye */
     float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light. desc.light.clamp   the most luminance
                          that an emitter sends: some times that of your brightest wide surface */
-    float epsilon;    /* splat   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
+    float epsilon;    /* dss   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
                          times the radiance that it sends over `sent` (times the lobe's peak): ssgi_gl_frame_of */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */
-    float history;        /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
+    float history_frames; /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
                             the average begins anew. Seconds: ssgi_gl_frame_time */
     float oblique[2];     /* desc.input.oblique: from ssgi_view */
-    float window[4];      /* desc.light.lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
+    float window
+        [4]; /* desc.light.harmonic_lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
                             default */
     float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float last_from[16];  /* and back: ssgi_gl_frame_history */
@@ -1153,7 +1156,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, floa
                                         const char **why);
 
 /* frame.phase of frame number k, in [0,1), which spreads the noise of any few frames in a row evenly. The last 4 of its
-   24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.half IN_TURN, QUARTER_IN_TURN). */
+   24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.resolution HALF_IN_TURN,
+   QUARTER_IN_TURN). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
 /* Sets the members that surfels are made with, except desc->overhang, which the text has: ssgi_gl_desc.surfel.overhang.
@@ -1309,9 +1313,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_gathered_texel", NULL, __LINE__ + 1,
     "ivec2 ssgi_gathered_texel() { // this texel's place in the image that gathers write\n"
-    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 4;\n"
-    "#elif SSGI_HALF\n"
+    "#elif SSGI_RESOLUTION\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
     "#else\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -1332,13 +1336,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_gathered", NULL, __LINE__ + 1,
     "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
-    "#if SSGI_HALF == SSGI_HALF_IN_TURN\n"
+    "#if SSGI_RESOLUTION == SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
-    "#elif SSGI_HALF == SSGI_HALF_QUARTER_IN_TURN\n"
+    "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
     "    return min(4 * texel + ssgi_turn_of_16(), max(u_ssgi_size - 1, 4 * texel));\n"
-    "#elif SSGI_HALF == SSGI_HALF_QUARTER\n"
+    "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER\n"
     "    return 4 * texel; // It is the first pixel of its 4x4.\n"
-    "#elif SSGI_HALF\n"
+    "#elif SSGI_RESOLUTION\n"
     "    return 2 * texel; // It is the first pixel of its 2x2.\n"
     "#else\n"
     "    return texel;\n"
@@ -2055,7 +2059,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 offset = place - ssgi_P;\n"
     "    float radii = length(offset) / u_ssgi_radius;\n"
     "    float weight = 1.0;\n"
-    "#if SSGI_RANGE\n"
+    "#if SSGI_RANGE_CHECK\n"
     "    if (radii > 1.0 || dot(offset, ssgi_n) <= 0.0) return 0.0;\n"
     "#endif\n"
     "#if SSGI_FADE == SSGI_FADE_SMOOTH\n"
@@ -2145,14 +2149,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_solid_occludes", NULL, __LINE__ + 1,
     "// Returns how much the solid that holds depth at a pixel of camera view counts.\n"
     "float ssgi_solid_occludes(ssgi_solid solid, int view, ivec2 pixel, float depth) {\n"
-    "#if SSGI_PASS == SSGI_PASS_HSAO && SSGI_TERMS != SSGI_TERMS_RAYS\n"
+    "#if SSGI_PASS == SSGI_PASS_HSAO && SSGI_MARCH_TERMS != SSGI_MARCH_TERMS_RAYS\n"
     "    ssgi_offer_rise(ssgi_point(view, pixel, solid.front));\n"
     "#endif\n"
     "#if SSGI_BOUNCE\n"
     "    ssgi_offer_emitter(solid.front_emitter, ssgi_point(view, pixel, solid.front));\n"
     "    if (solid.back < SSGI_FAR) ssgi_offer_emitter(solid.back_emitter, ssgi_point(view, pixel, solid.back));\n"
     "#endif\n"
-    "#if SSGI_FADE || SSGI_RANGE\n"
+    "#if SSGI_FADE || SSGI_RANGE_CHECK\n"
     "    return ssgi_fade_weight(ssgi_point(view, pixel,\n"
     "        depth - solid.front < solid.back - depth ? solid.front : solid.back));\n"
     "#else\n"
@@ -2220,9 +2224,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uvec2 emitter = ssgi_emitter_texel(-1, pixel, 0);\n"
     "    float z = ssgi_unpack_depth(emitter.y);\n"
     "    ssgi_emitter.xyz = ssgi_radiance_from(emitter, ssgi_point(-1, pixel, z));\n"
-    "#if SSGI_TRANSFER && !SSGI_DIMMED\n"
+    "#if SSGI_TRANSFER && !SSGI_OCCLUDED_EMITTERS\n"
     "    ssgi_emitter_place = emitter.y;\n"
-    "#elif SSGI_DIMMED\n"
+    "#elif SSGI_OCCLUDED_EMITTERS\n"
     "    ssgi_emitter_pixel = pixel;\n"
     "#endif\n"
     "    return z;\n"
@@ -2277,7 +2281,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bool found = ssgi_in_slabs(pixel, -probe.z, z);\n"
     "#endif\n"
     "    return probe.z < 0.0 && seen && found\n"
-    "#if SSGI_FADE || SSGI_RANGE\n"
+    "#if SSGI_FADE || SSGI_RANGE_CHECK\n"
     "        ? ssgi_fade_weight(ssgi_point(-1, pixel, z)) : 0.0;\n"
     "#else\n"
     "        ? 1.0 : 0.0;\n"
@@ -2505,7 +2509,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    coefficients.channel[0] = ssgi_unpack(texelFetch(t_ssgi_red0, texel, 0), red);\n"
     "    coefficients.channel[1] = ssgi_unpack(texelFetch(t_ssgi_green0, texel, 0), green);\n"
     "    coefficients.channel[2] = ssgi_unpack(texelFetch(t_ssgi_blue0, texel, 0), blue);\n"
-    "#elif SSGI_PACKED\n"
+    "#elif SSGI_PACKED_COEFFICIENTS\n"
     "#if SSGI_BANDS < 3\n"
     "    coefficients.channel[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, texel, 0), uvec4(0u));\n"
     "#else\n"
@@ -2567,7 +2571,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return words;\n"
     "}\n" },
 
-{ "ssgi_store", "SSGI_PACKED || !SSGI_TRANSFER", __LINE__ + 1,
+{ "ssgi_store", "SSGI_PACKED_COEFFICIENTS || !SSGI_TRANSFER", __LINE__ + 1,
     "void ssgi_store(ssgi_coefficients coefficients) { // writes coefficients to the outputs of pass s3ho\n"
     "#if SSGI_TRANSFER\n"
     "    o_ssgi_red0 = ssgi_pack_first(coefficients.channel[0]);\n"
@@ -2578,7 +2582,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_green1 = ssgi_pack_more(coefficients.channel[1]);\n"
     "    o_ssgi_blue1 = ssgi_pack_more(coefficients.channel[2]);\n"
     "#endif\n"
-    "#elif SSGI_PACKED\n"
+    "#elif SSGI_PACKED_COEFFICIENTS\n"
     "    o_ssgi_sh0 = ssgi_pack_first(coefficients.channel[0]);\n"
     "#if SSGI_BANDS > 2\n"
     "    o_ssgi_sh1 = ssgi_pack_more(coefficients.channel[0]);\n"
@@ -2943,7 +2947,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_lit_at = P;\n"
     "#endif\n"
     "    vec3 sum = ssgi_shade(coefficients, normal);\n"
-    "#if SSGI_LIGHTS\n"
+    "#if SSGI_HARMONIC_LIGHTS\n"
     "    int lights = min(u_ssgi_lights, textureSize(t_ssgi_lights, 0).y);\n"
     "    for (int i = 0; i < lights; ++i)\n"
     "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), coefficients, normal) * SSGI_OVER_PI;\n"
@@ -3046,7 +3050,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return sums;\n"
     "}\n" },
 
-{ "ssgi_reflected", "SSGI_DIMMED", __LINE__ + 1,
+{ "ssgi_reflected", "SSGI_OCCLUDED_EMITTERS", __LINE__ + 1,
     "// Adds the last frame's coefficients of the surface at a pixel, times albedo and share [S3HO12 2.3].\n"
     "void ssgi_reflected(inout ssgi_coefficients coefficients, ivec2 pixel, vec3 albedo) {\n"
     "    ssgi_coefficients last = ssgi_load_last(pixel + u_ssgi_target);\n"
@@ -3054,7 +3058,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_sh_add(coefficients.channel[channel], last.channel[channel], albedo[channel]);\n"
     "}\n" },
 
-{ "ssgi_reflected", "!SSGI_DIMMED", __LINE__ + 1,
+{ "ssgi_reflected", "!SSGI_OCCLUDED_EMITTERS", __LINE__ + 1,
     "// Adds the cosine lobe of a surface that is seen along direction, times albedo and share [S3HO12 eq. 5].\n"
     "void ssgi_reflected(inout ssgi_coefficients coefficients, vec3 normal, vec3 direction, vec3 albedo) {\n"
     "    normal = normalize(normal);\n"
@@ -3080,7 +3084,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
 
 { "SSGI_KERNEL_TABLE", NULL, __LINE__ + 1,
-    "#if !SSGI_UNIFORM\n"
+    "#if !SSGI_UNIFORM_DIRECTIONS\n"
     "// Rows of ssgi_kernel: xyz are cosine-weighted directions about +z, w is a length.\n"
     "#else\n"
     "// Rows of ssgi_directions: xyz are spread evenly over the hemisphere about +z, w is a length.\n"
@@ -3100,22 +3104,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 start; // the lifted receiver\n"
     "    mat3 basis; // takes +z to the normal, after a turn by noise\n"
     "    float offset; // is added to each length, modulo 1\n"
-    "#if SSGI_KERNEL\n"
+    "#if SSGI_KERNEL_TEXTURE\n"
     "    int row; // row of t_ssgi_kernel, a set of directions\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_points_of", NULL, __LINE__ + 1,
     "ssgi_points ssgi_points_of(vec3 P, vec3 normal, vec2 random) { // also sets the receiver\n"
-    "#if SSGI_FADE || SSGI_RANGE\n"
+    "#if SSGI_FADE || SSGI_RANGE_CHECK\n"
     "    ssgi_P = P;\n"
     "#elif SSGI_BOUNCE && (!SSGI_TWO_SIDED || SSGI_BOUNCE == SSGI_BOUNCE_PATCH || SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
     "    ssgi_P = P;\n"
     "#endif\n"
-    "#if SSGI_RANGE || SSGI_BOUNCE == SSGI_BOUNCE_PATCH\n"
+    "#if SSGI_RANGE_CHECK || SSGI_BOUNCE == SSGI_BOUNCE_PATCH\n"
     "    ssgi_n = normal;\n"
     "#endif\n"
-    "#if SSGI_KERNEL\n"
+    "#if SSGI_KERNEL_TEXTURE\n"
     "    int row = int(random.x * float(textureSize(t_ssgi_kernel, 0).y));\n"
     "    return ssgi_points(ssgi_lift(P, normal), ssgi_basis(normal), random.y, row);\n"
     "#else\n"
@@ -3130,19 +3134,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_point_occlusion", NULL, __LINE__ + 1,
     "// Returns how much the first occluded point of direction i counts, or 0. +z of direction is the normal.\n"
     "float ssgi_point_occlusion(ssgi_points points, int i, out vec3 direction) {\n"
-    "#if SSGI_KERNEL\n"
+    "#if SSGI_KERNEL_TEXTURE\n"
     "    vec4 entry = texelFetch(t_ssgi_kernel, ivec2(i, points.row), 0);\n"
     "#else\n"
     "    vec4 entry = SSGI_KERNEL_TABLE[i];\n"
     "#endif\n"
     "    direction = entry.xyz;\n"
     "    float shift = fract(entry.w + points.offset);\n"
-    "#if SSGI_STEPS > 1\n"
+    "#if SSGI_SAMPLES > 1\n"
     "    vec3 way = points.basis * entry.xyz * u_ssgi_radius;\n"
     "    float occlusion = 0.0;\n"
-    "    for (int nth = 0; nth < SSGI_STEPS && occlusion <= 0.0; ++nth)\n"
+    "    for (int nth = 0; nth < SSGI_SAMPLES && occlusion <= 0.0; ++nth)\n"
     "        occlusion = ssgi_occlusion_at(points.start\n"
-    "            + way * ssgi_length((float(nth) + shift) / float(SSGI_STEPS)));\n"
+    "            + way * ssgi_length((float(nth) + shift) / float(SSGI_SAMPLES)));\n"
     "    return occlusion;\n"
     "#else\n"
     "    return ssgi_occlusion_at(points.start + points.basis * entry.xyz * (u_ssgi_radius * ssgi_length(shift)));\n"
@@ -3156,17 +3160,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* Adds the light of the sample's occluder, ssgi_emitter. */
 { "ssgi_add_bounce", "SSGI_BOUNCE && SSGI_PASS == SSGI_PASS_SSDO", __LINE__ + 1,
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
-    "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM\n"
+    "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM_DIRECTIONS\n"
     "    // A patch of pi r^2/N wants uniform directions, so the pdf divides.\n"
     "    occlusion *= 0.5 / max(direction.z, SSGI_GRAZING);\n"
     "#endif\n"
-    "    sums.bounce += ssgi_emitter.xyz * (occlusion / float(SSGI_SAMPLES));\n"
+    "    sums.bounce += ssgi_emitter.xyz * (occlusion / float(SSGI_DIRECTIONS));\n"
     "}\n" },
 
 { "ssgi_add_bounce", "SSGI_BOUNCE && SSGI_PASS == SSGI_PASS_S3HO", __LINE__ + 1,
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
-    "    vec3 albedo = ssgi_emitter.xyz * (occlusion / float(SSGI_SAMPLES));\n"
-    "#if !SSGI_DIMMED\n"
+    "    vec3 albedo = ssgi_emitter.xyz * (occlusion / float(SSGI_DIRECTIONS));\n"
+    "#if !SSGI_OCCLUDED_EMITTERS\n"
     "    vec3 normal = ssgi_unpack_normal(ssgi_emitter_place);\n"
     "    if (occlusion > 0.0) ssgi_reflected(sums.bounce, normal, basis * direction, albedo);\n"
     "#else\n"
@@ -3183,32 +3187,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    vec3 direction;\n"
     "    vec3 light = vec3(0.0);\n"
-    "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
+    "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float occlusion = ssgi_point_occlusion(points, i, direction);\n"
-    "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM\n"
+    "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM_DIRECTIONS\n"
     "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // Each patch has pi r^2/N, not 2 cos of it.\n"
     "#endif\n"
-    "#if SSGI_UNIFORM\n"
+    "#if SSGI_UNIFORM_DIRECTIONS\n"
     "        float weight = 2.0 * direction.z; // A sample has 2 pi/N steradians; the cosine's integral is pi.\n"
     "        occlusion *= weight;\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
-    "        sums.all += occlusion / float(SSGI_SAMPLES);\n"
+    "        sums.all += occlusion / float(SSGI_DIRECTIONS);\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
-    "        float less = occlusion * (-SSGI_PI / float(SSGI_SAMPLES));\n"
+    "        float less = occlusion * (-SSGI_PI / float(SSGI_DIRECTIONS));\n"
     "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(direction), less);\n"
     "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
     "        vec3 L = ssgi_environment(world * direction);\n"
     "#endif\n"
-    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP && !SSGI_UNIFORM\n"
+    "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP && !SSGI_UNIFORM_DIRECTIONS\n"
     "        light += L;\n"
     "        sums.dark += L * occlusion;\n"
-    "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP && SSGI_UNIFORM\n"
+    "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP && SSGI_UNIFORM_DIRECTIONS\n"
     "        light += L * weight;\n"
     "        sums.dark += L * occlusion;\n"
     "#endif\n"
-    "#if SSGI_BOUNCE && !(SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM)\n"
+    "#if SSGI_BOUNCE && !(SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM_DIRECTIONS)\n"
     "        ssgi_add_bounce(sums, direction, points.basis, occlusion);\n"
     "#endif\n"
     "    }\n"
@@ -3237,8 +3241,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_ray", NULL, __LINE__ + 1,
     "// Returns the weight of the first occluded step on a ray from the lifted receiver; 0: no step is occluded.\n"
     "float ssgi_ray(vec3 start, vec3 direction, float random) {\n"
-    "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
-    "        float radii = (float(i) + random) / float(SSGI_STEPS);\n"
+    "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
+    "        float radii = (float(i) + random) / float(SSGI_SAMPLES);\n"
     "        if (ssgi_occlusion_at(start + direction * (u_ssgi_radius * radii)) > 0.0)\n"
     "            return ssgi_attenuation(radii);\n"
     "    }\n"
@@ -3252,14 +3256,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 normal, vec3 tangent, float beta) {\n"
     "    vec3 direction = tangent;\n"
     "    vec2 horizon = vec2(0.0);\n"
-    "    for (int i = 1; i <= SSGI_STEPS; ++i) {\n"
-    "        vec3 probe = start + direction * (u_ssgi_radius * (float(i) + beta) / float(SSGI_STEPS));\n"
-    "#if SSGI_SPHERES\n"
-    "        float ahead = u_ssgi_radius * (float(i + 1) + beta) / float(SSGI_STEPS);\n"
+    "    for (int i = 1; i <= SSGI_SAMPLES; ++i) {\n"
+    "        vec3 probe = start + direction * (u_ssgi_radius * (float(i) + beta) / float(SSGI_SAMPLES));\n"
+    "#if SSGI_GROWING_SPHERE\n"
+    "        float ahead = u_ssgi_radius * (float(i + 1) + beta) / float(SSGI_SAMPLES);\n"
     "        float grown = min(ahead, u_ssgi_radius);\n"
     "#endif\n"
     "#if SSGI_LAYERS > 1 || SSGI_VIEWS\n"
-    "#if !SSGI_SPHERES\n"
+    "#if !SSGI_GROWING_SPHERE\n"
     "        ssgi_rise = ssgi_rising(tangent, u_ssgi_radius, horizon.x, 0.0);\n"
     "#else\n"
     "        ssgi_rise = ssgi_rising(tangent, grown, horizon.x, 0.0);\n"
@@ -3277,7 +3281,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float x = dot(offset, tangent);\n"
     "        float y = dot(offset, normal);\n"
     "        float away = length(offset);\n"
-    "#if !SSGI_SPHERES\n"
+    "#if !SSGI_GROWING_SPHERE\n"
     "        if (z < -probe.z && away < u_ssgi_radius && x > 0.0) {\n"
     "#else\n"
     "        if (z < -probe.z && away < grown && x > 0.0) {\n"
@@ -3310,7 +3314,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_sums ssgi_gather(ivec2 pixel, vec3 P, vec3 normal, vec2 random) { // averages over tangents [HSAO08 eq. 6]\n"
     "    mat3 basis = ssgi_basis(normal);\n"
     "    vec3 start = ssgi_lift(P, normal);\n"
-    "#if SSGI_TERMS != SSGI_TERMS_RAYS && (SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
+    "#if SSGI_MARCH_TERMS != SSGI_MARCH_TERMS_RAYS && (SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
     "    ssgi_P = P;\n"
     "    ssgi_n = normal;\n"
     "#endif\n"
@@ -3318,12 +3322,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float angle = 2.0 * SSGI_PI * (float(i) + random.x) / float(SSGI_DIRECTIONS);\n"
     "        vec3 tangent = basis[0] * cos(angle) + basis[1] * sin(angle);\n"
-    "#if SSGI_TERMS != SSGI_TERMS_RAYS\n"
+    "#if SSGI_MARCH_TERMS != SSGI_MARCH_TERMS_RAYS\n"
     "        vec2 horizon = ssgi_horizon(P, start, normal, tangent, random.y - 0.5);\n"
     "#else\n"
     "        vec2 horizon = vec2(0.0);\n"
     "#endif\n"
-    "#if !SSGI_TERMS\n"
+    "#if !SSGI_MARCH_TERMS\n"
     "        sum += horizon.y;\n"
     "#endif\n"
     "#if SSGI_NORMAL_RAYS\n"
@@ -3575,7 +3579,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    side.half_cosine = slice.half_normal.y * scale;\n"
     "    side.half_sine = sine * scale;\n"
     "    side.base = side.half_cosine + noise;\n"
-    "    side.share = whole * slice.width / (32.0 * float(SSGI_DIRECTIONS));\n"
+    "    side.share = whole * slice.width / (32.0 * float(SSGI_SLICES));\n"
     "    side.edge = edge;\n"
     "    return side;\n"
     "}\n" },
@@ -3772,7 +3776,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_SSDO\n"
     "    sums.bounce += ssgi_unpack_radiance(texel.x) * share;\n"
-    "#elif !SSGI_DIMMED\n"
+    "#elif !SSGI_OCCLUDED_EMITTERS\n"
     "    ssgi_reflected(sums.bounce, normal, offset, ssgi_unpack_radiance(texel.x) * share);\n"
     "#else\n"
     "    ssgi_reflected(sums.bounce, pixel, ssgi_unpack_radiance(texel.x) * share);\n"
@@ -3931,7 +3935,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_expect", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
     "// Adds occlusion that a side missed.\n"
     "void ssgi_expect(inout ssgi_sums sums, ssgi_side side, inout ssgi_walked walked) {\n"
-    "    float missed = max(SSGI_MISSED.x / float(SSGI_STEPS) - SSGI_MISSED.y, 0.0);\n"
+    "    float missed = max(SSGI_MISSED.x / float(SSGI_SAMPLES) - SSGI_MISSED.y, 0.0);\n"
     "    float beyond = max(1.0 - side.edge, 0.0);\n"
     "    float more = missed * walked.share + beyond * beyond * min(SSGI_BEYOND.x * walked.share, SSGI_BEYOND.y);\n"
     "    more = ssgi_count(walked.left) * min(more, 1.0);\n"
@@ -3961,7 +3965,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// slice covers in x and y.\n"
     "void ssgi_walk_slice(ssgi_slice slice, vec3 P, ivec2 pixel, vec2 pixels, vec2 random, vec2 noise,\n"
     "    inout ssgi_sums sums) {\n"
-    "    float unit = 1.0 / float(SSGI_STEPS);\n"
+    "    float unit = 1.0 / float(SSGI_SAMPLES);\n"
     "    float reach = u_ssgi_radius;\n"
     "#if SSGI_SPAN\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // Slices look through this share of the radius.\n"
@@ -3979,7 +3983,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float less = reach * unit * unit;\n"
     "    ssgi_walked walked_ahead = ssgi_walked_none(-P.z);\n"
     "    ssgi_walked walked_behind = walked_ahead;\n"
-    "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
+    "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
     "        vec2 way = root * root;\n"
     "        vec2 last = root * grows - less;\n"
     "        ssgi_tap tap_ahead = ssgi_tap_at(slice, ahead, start + pixels * way.x, way.x);\n"
@@ -4009,8 +4013,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if !SSGI_ENVIRONMENT\n"
     "    ssgi_receiver receiver = ssgi_receiver_of(P, normal);\n"
     "#endif\n"
-    "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
-    "        float phi = SSGI_PI * (float(i) + random.x) / float(SSGI_DIRECTIONS);\n"
+    "    for (int i = 0; i < SSGI_SLICES; ++i) {\n"
+    "        float phi = SSGI_PI * (float(i) + random.x) / float(SSGI_SLICES);\n"
     "#if SSGI_ENVIRONMENT\n"
     "        ssgi_receiver receiver = ssgi_receiver_of(P, normal); // It is made anew, which keeps registers free.\n"
     "#endif\n"
@@ -4514,9 +4518,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_shift", NULL, __LINE__ + 1,
     "int ssgi_shift() { // One pixel in 2 to this power is dealt out, each way.\n"
-    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return 2;\n"
-    "#elif SSGI_HALF\n"
+    "#elif SSGI_RESOLUTION\n"
     "    return 1;\n"
     "#else\n"
     "    return 0;\n"
@@ -4925,7 +4929,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 plane; // A unit of height is SSGI_OFF radii and a pixel.\n"
     "#endif\n"
     "    float z, footprint;\n"
-    "#if !SSGI_HALF && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
+    "#if !SSGI_RESOLUTION && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
     "    vec4 now; // the pixel's own texel\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
@@ -4960,7 +4964,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_blurred_at", NULL, __LINE__ + 1,
     "ssgi_blurred ssgi_blurred_at(ivec2 pixel) {\n"
     "    ssgi_blurred centre;\n"
-    "#if !SSGI_HALF && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
+    "#if !SSGI_RESOLUTION && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
     "    centre.now = ssgi_now(pixel + u_ssgi_target);\n"
     "    centre.z = centre.now.w;\n"
     "#else\n"
@@ -4996,9 +5000,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_stride", NULL, __LINE__ + 1,
     "int ssgi_stride() { // pixels from a texel to the next one\n"
-    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return 4;\n"
-    "#elif SSGI_HALF\n"
+    "#elif SSGI_RESOLUTION\n"
     "    return 2;\n"
     "#else\n"
     "    return 1;\n"
@@ -5007,7 +5011,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_from_gathered", NULL, __LINE__ + 1,
     "ivec2 ssgi_from_gathered(ivec2 pixel) { // how far pixel is from the pixel that is gathered of the first 4x4\n"
-    "#if SSGI_HALF == SSGI_HALF_QUARTER_IN_TURN\n"
+    "#if SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
     "    return pixel - ssgi_turn_of_16();\n"
     "#else\n"
     "    return pixel;\n"
@@ -5016,19 +5020,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_neighbour_at", NULL, __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 pixel, int x, int y) {\n"
-    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    ivec2 texel = (ssgi_from_gathered(pixel) + 2 >> 2) + ivec2(x, y); // from the nearest one on\n"
     "    ivec2 gathered = ssgi_gathered(texel);\n"
     "    return ssgi_neighbour(texel + (u_ssgi_target >> 2), gathered, vec2(gathered - pixel));\n"
-    "#elif SSGI_HALF\n"
+    "#elif SSGI_RESOLUTION\n"
     "    ivec2 texel = (pixel >> 1) + ivec2(x, y);\n"
     "    ivec2 gathered = ssgi_gathered(texel);\n"
     "#endif\n"
-    "#if SSGI_HALF == SSGI_HALF_IN_TURN\n"
+    "#if SSGI_RESOLUTION == SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return ssgi_neighbour(texel + (u_ssgi_target >> 1), gathered, vec2(gathered - pixel));\n"
-    "#elif SSGI_HALF == SSGI_HALF_FIRST\n"
+    "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_HALF\n"
     "    return ssgi_neighbour(texel + (u_ssgi_target >> 1), gathered, vec2(2 * x, 2 * y) - vec2(pixel & 1));\n"
-    "#elif !SSGI_HALF\n"
+    "#elif !SSGI_RESOLUTION\n"
     "    return ssgi_neighbour(pixel + ivec2(x, y) + u_ssgi_target, pixel + ivec2(x, y), vec2(x, y));\n"
     "#endif\n"
     "}\n" },
@@ -5073,12 +5077,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
     "// Returns the weight of a neighbour that is so many pixels away along x or y.\n"
     "float ssgi_tent(float away) {\n"
-    "#if SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    away *= 0.5; // The tent is twice as wide.\n"
     "#endif\n"
-    "#if SSGI_HALF && SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "#if SSGI_RESOLUTION && SSGI_PASS == SSGI_PASS_HISTORY\n"
     "    return float(2 * SSGI_FILTER_RADIUS + 3) - abs(away);\n"
-    "#elif SSGI_HALF\n"
+    "#elif SSGI_RESOLUTION\n"
     "    return 2.5 + 1.5 * float(SSGI_FILTER_RADIUS) - abs(away);\n"
     "#else\n"
     "    return SSGI_FILTER_RADIUS > 1 && abs(away) == float(SSGI_FILTER_RADIUS) ? 0.5 : 1.0;\n"
@@ -5095,9 +5099,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// How much a neighbour counts, the less the farther it is off the plane. offset: how many pixels away pixel is.\n"
     "float ssgi_blur_weight(ssgi_blurred centre, ivec2 pixel, vec2 offset, float z) {\n"
     "    float off = ssgi_above_plane(centre.plane, offset, z);\n"
-    "#if SSGI_HALF && SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "#if SSGI_RESOLUTION && SSGI_PASS == SSGI_PASS_HISTORY\n"
     "    float weight = 1.0 / (SSGI_HALF_OFF / centre.frames + off * off);\n"
-    "#elif SSGI_HALF\n"
+    "#elif SSGI_RESOLUTION\n"
     "    float weight = 1.0 / (SSGI_HALF_OFF + off * off);\n"
     "#else\n"
     "    const float least = 1.0 / SSGI_STEEP;\n"
@@ -5180,7 +5184,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void ssgi_filter_tap(inout ssgi_filtered filtered, ssgi_blurred centre, ssgi_neighbour neighbour, float weight,\n"
     "    bool inside) {\n"
     "    vec4 texel = ssgi_now(neighbour.texel);\n"
-    "#if SSGI_HALF && SSGI_PASS == SSGI_PASS_HISTORY\n"
+    "#if SSGI_RESOLUTION && SSGI_PASS == SSGI_PASS_HISTORY\n"
     "    if (centre.frames >= SSGI_SETTLED) weight *= SSGI_TENT + weight;\n"
     "#endif\n"
     "    weight *= ssgi_blur_weight(centre, neighbour.pixel, neighbour.offset, texel.w);\n"
@@ -5198,7 +5202,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_corner", NULL, __LINE__ + 1,
     "bool ssgi_corner(ivec2 offset) { // whether that is a corner of the filter, which it goes without\n"
-    "#if SSGI_HALF && SSGI_FILTER_RADIUS > 1\n"
+    "#if SSGI_RESOLUTION && SSGI_FILTER_RADIUS > 1\n"
     "    return abs(offset.x) + abs(offset.y) == 2 * SSGI_FILTER_RADIUS;\n"
     "#else\n"
     "    return false;\n"
@@ -5210,9 +5214,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) { // sums over pixel and the pixels around it\n"
     "    int stride = ssgi_stride();\n"
     "    ssgi_filtered filtered = ssgi_filtered_none();\n"
-    "#if !SSGI_HALF && SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
+    "#if !SSGI_RESOLUTION && SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
     "    ssgi_filtered_add(filtered, ssgi_load(pixel + u_ssgi_target), 1.0);\n"
-    "#elif !SSGI_HALF\n"
+    "#elif !SSGI_RESOLUTION\n"
     "    ssgi_filtered_add(filtered, centre.now, 1.0);\n"
     "#endif\n"
     "    ssgi_neighbour nearest = ssgi_neighbour_at(pixel, 0, 0);\n"
@@ -5224,7 +5228,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
     "            ivec2 offset = ivec2(x, y);\n"
     "            if (ssgi_corner(offset)) continue;\n"
-    "#if !SSGI_HALF\n"
+    "#if !SSGI_RESOLUTION\n"
     "            if (x == 0 && y == 0) continue;\n"
     "#endif\n"
     "            ssgi_neighbour neighbour = ssgi_neighbour(nearest.texel + offset, nearest.pixel + stride * offset,\n"
@@ -5242,21 +5246,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Sums over the texels around pixel, or next to it.\n"
     "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) {\n"
     "    ssgi_filtered filtered = ssgi_filtered_none();\n"
-    "#if !SSGI_HALF\n"
+    "#if !SSGI_RESOLUTION\n"
     "    ssgi_filtered_add(filtered, centre.now, 1.0);\n"
-    "#elif SSGI_HALF > SSGI_HALF_IN_TURN\n"
+    "#elif SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    ivec2 next = -(ssgi_from_gathered(pixel) >> 1 & 1);\n"
     "#else\n"
     "    ivec2 next = (pixel & 1) - 1;\n"
     "#endif\n"
     "    for (int i = 0; i < 4; ++i) {\n"
-    "#if SSGI_HALF\n"
+    "#if SSGI_RESOLUTION\n"
     "        ssgi_filter_at(filtered, pixel, centre, next + ivec2(i & 1, i >> 1));\n"
     "#else\n"
     "        ssgi_filter_at(filtered, pixel, centre, ivec2((i & 1) * (i - 2), ((i + 1) & 1) * (i - 1)));\n"
     "#endif\n"
     "    }\n"
-    "#if SSGI_HALF\n"
+    "#if SSGI_RESOLUTION\n"
     "    const int side = 2 * SSGI_FILTER_RADIUS + 2;\n"
     "#else\n"
     "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
@@ -5264,7 +5268,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int more = centre.frames < SSGI_SETTLED ? side * side : 0;\n"
     "    for (int i = 0; i < more; ++i) {\n"
     "        ivec2 offset = ivec2(i % side, i / side) - SSGI_FILTER_RADIUS;\n"
-    "#if SSGI_HALF\n"
+    "#if SSGI_RESOLUTION\n"
     "        if ((offset.x | offset.y) >> 1 == 0) continue;\n"
     "        ssgi_filter_at(filtered, pixel, centre, next + offset);\n"
     "#else\n"
@@ -5353,7 +5357,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    has .258, of a whole radius .270 where it has .264, over the pixels that differ by .002. */
 { "ssgi_unshown", NULL, __LINE__ + 1,
     "float ssgi_unshown(ssgi_blurred centre) {\n"
-    "#if SSGI_HALF\n"
+    "#if SSGI_RESOLUTION\n"
     "    float away = max(u_ssgi_radius / (SSGI_OFF * u_ssgi_radius + centre.footprint), 16.0);\n"
     "    return 50.0 / (away * away);\n"
     "#else\n"
@@ -5372,7 +5376,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    centre.footprint = ssgi_footprint(z);\n"
     "    centre.plane = ssgi_plane(centre.P, centre.normal) / (SSGI_OFF * u_ssgi_radius + centre.footprint);\n"
     "    centre = ssgi_beside(centre, -off);\n"
-    "#if !SSGI_HALF && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
+    "#if !SSGI_RESOLUTION && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
     "    centre.now = vec4(0.0); // Nothing reads it here.\n"
     "#endif\n"
     "    return centre;\n"
@@ -5579,7 +5583,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    place -= 0.5;\n"
     "    bool shown = all(lessThan(abs(2.0 * place - vec2(u_ssgi_last_size)), vec2(u_ssgi_last_size + 2)));\n"
-    "    if (!shown || !ssgi_finite(vec4(place, was.z, 0.0)) || was.z <= 0.0 || u_ssgi_history <= 1.0) return none;\n"
+    "    if (!shown || !ssgi_finite(vec4(place, was.z, 0.0)) || was.z <= 0.0\n"
+    "        || u_ssgi_history_frames <= 1.0) return none;\n"
     "    vec2 low = floor(place);\n"
     "    vec2 part = place - low;\n"
     "    part = clamp((1.0 + 2.0 * SSGI_CENTRED) * part - SSGI_CENTRED, 0.0, 1.0);\n"
@@ -5609,10 +5614,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* As many neighbours of equal weight as a filter sees where all lie in the pixel's plane: 3x3 texels; from half size
    weights fall off. A third of 9 and 7 takes the error of hsao-history from .3740 to .3888, three times as much
    to .3683 (scenes: SSGI_STEEP); the larger it is, the later a change of light is noticed. */
-{ "SSGI_EVEN", "!SSGI_HALF", __LINE__ + 1,
+{ "SSGI_EVEN", "!SSGI_RESOLUTION", __LINE__ + 1,
     "const float SSGI_EVEN = 9.0; // neighbours of equal weight that the filter sees on a plane\n" },
 
-{ "SSGI_EVEN", "SSGI_HALF", __LINE__ + 1,
+{ "SSGI_EVEN", "SSGI_RESOLUTION", __LINE__ + 1,
     "const float SSGI_EVEN = 7.0; // neighbours of equal weight that the filter sees on a plane\n" },
 
 /* The deviation of few neighbours says little, so it is taken to be larger, and this share of the mean is added by
@@ -5641,7 +5646,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_MOTION\n"
     "    if (last.moves) changed = 0.0; // most of the change is its own motion, which is followed\n"
     "#endif\n"
-    "    float most = max(u_ssgi_history / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
+    "    float most = max(u_ssgi_history_frames / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
     "    most = min(most, 1.0 + SSGI_CHANGED / max(changed, 1e-9));\n"
     "    return last.known > 0.0 ? min(u_ssgi_pace * last.kept.means.y + 1.0, most) : 1.0;\n"
     "}\n" },
@@ -5887,19 +5892,19 @@ typedef struct ssgi_gl__row {
 
 /* A texture and an output of one name: s3ho writes them, shade and blur read them. */
 #define SSGI_GL__ROWS_FLOATS(name, unit, is) \
-    SSGI_GL__ROW_TEXTURE(name, unit, "!packed", "sampler2D", SSGI_GL__HDR ": " is), \
-    SSGI_GL__ROW_OUTPUT(name, "!packed", "vec4", SSGI_GL__HDR ": " is)
+    SSGI_GL__ROW_TEXTURE(name, unit, "!packed_coefficients", "sampler2D", SSGI_GL__HDR ": " is), \
+    SSGI_GL__ROW_OUTPUT(name, "!packed_coefficients", "vec4", SSGI_GL__HDR ": " is)
 #define SSGI_GL__ROWS_HALVES(name, unit, is) \
-    SSGI_GL__ROW_TEXTURE(name, unit, "packed", "usampler2D", "RGBA32UI: " is), \
-    SSGI_GL__ROW_OUTPUT(name, "packed", "uvec4", "RGBA32UI: " is)
+    SSGI_GL__ROW_TEXTURE(name, unit, "packed_coefficients", "usampler2D", "RGBA32UI: " is), \
+    SSGI_GL__ROW_OUTPUT(name, "packed_coefficients", "uvec4", "RGBA32UI: " is)
 #define SSGI_GL__ROW_LAST(name, unit, is) \
     SSGI_GL__ROW_TEXTURE("last_" name, unit, NULL, "usampler2D", "RGBA32UI, NEAREST: " is)
 #define SSGI_GL__HDR "RGBA32F or RGBA16F"
 
 static const ssgi_gl__row ssgi_gl__rows[] = {
-    SSGI_GL__ROW_CONSTANT(SAMPLES, gather.samples),
+    SSGI_GL__ROW_CONSTANT(SLICES, gather.slices),
     SSGI_GL__ROW_CONSTANT(DIRECTIONS, gather.directions),
-    SSGI_GL__ROW_CONSTANT(STEPS, gather.steps),
+    SSGI_GL__ROW_CONSTANT(SAMPLES, gather.samples),
     SSGI_GL__ROW_CONSTANT(NORMAL_RAYS, gather.normal_rays),
     SSGI_GL__ROW_CONSTANT(LAYERS, gather.layers),
     SSGI_GL__ROW_CONSTANT(VIEWS, gather.views),
@@ -5938,7 +5943,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(sent, "float", "radiance that counts as bright"),
     SSGI_GL__ROW_FRAME(epsilon, "float", ""),
     SSGI_GL__ROW_FRAME(exponent, "float", ""),
-    SSGI_GL__ROW_FRAME(history, "float", "frames"),
+    SSGI_GL__ROW_FRAME(history_frames, "float", "frames"),
     SSGI_GL__ROW_FRAME(oblique, "vec2", "window depth per pixel"),
     SSGI_GL__ROW_FRAME(window, "vec4", "a band"),
     SSGI_GL__ROW_FRAME(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
@@ -5999,7 +6004,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("cap", 5, NULL, "sampler2D", "R32F or R16F, any size, NEAREST: ssgi_cap_table"),
     SSGI_GL__ROW_TEXTURE("interleaved", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: of pass interleave"),
     SSGI_GL__ROW_TEXTURE("levels", 3, NULL, "sampler2D",
-                         "of pass splat, deinterleave or smooth, in this order, NEAREST"),
+                         "of pass dss, deinterleave or smooth, in this order, NEAREST"),
     SSGI_GL__ROW_TEXTURE("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: of pass ssao, hsao or history"),
     SSGI_GL__ROW_TEXTURE("history", 2, NULL, "sampler2D",
                          "this pass's output for the last frame, NEAREST: o_ssgi_ao; o_ssgi_light, or with "
@@ -6011,11 +6016,11 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                          "R32F or R16F, an eighth of the size, NEAREST: of pass change_share"),
     SSGI_GL__ROW_YOURS("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
-    SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, RGBA8, R16F ..: factor of ambient visibility"),
+    SSGI_GL__ROW_OUTPUT("ao", "pass == AOF", "float", "R8, RGBA8, R16F ..: factor of ambient visibility"),
     SSGI_GL__ROW_OUTPUT("ao", "pass == BLUR", "float", "R8, RGBA8 or R16F: ambient visibility"),
     SSGI_GL__ROW_OUTPUT("ao", "pass == HISTORY", "vec4",
                         SSGI_GL__HDR ": ambient visibility, view depth, its mean over three frames, how many frames"),
-    SSGI_GL__ROW_OUTPUT("ao", "pass != FIELD && pass != BLUR && pass != HISTORY", "vec2",
+    SSGI_GL__ROW_OUTPUT("ao", "pass != AOF && pass != BLUR && pass != HISTORY", "vec2",
                         "RG32F or RG16F: ambient visibility, view depth; R8 or R16F if nothing filters"),
     SSGI_GL__ROW_OUTPUT("picture", NULL, "vec4", "your picture"),
     SSGI_GL__ROW_OUTPUT("history", NULL, "vec4", SSGI_GL__HDR ": the average, before it is restored; view depth"),
@@ -6113,7 +6118,7 @@ enum {
     SSGI_GL__SIZE_LEVELS = SSGI_GL_SIZE_LEVELS,
     SSGI_GL__SIZE_TILES = SSGI_GL_SIZE_TILES,
     SSGI_GL__SIZE_QUARTER = SSGI_GL_SIZE_QUARTER,
-    SSGI_GL__SIZE_CHOSEN /* as desc.gather.half says */
+    SSGI_GL__SIZE_CHOSEN /* as desc.gather.resolution says */
 };
 
 enum {
@@ -6181,13 +6186,13 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { SSGI_GL__PASS(SHADE, "shade", NONE,     NONE,   NONE,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
       { { "shading != BENT", "main_shade" },
         { "shading == BENT", "main_bent" } } },
-    { SSGI_GL__PASS(FIELD, "field", ALONE,    NONE,   NONE,     NONE,   FULL,   FIELDS,  MULTIPLY, NEW),
+    { SSGI_GL__PASS(AOF, "aof", ALONE,        NONE,   NONE,     NONE,   FULL,   FIELDS,  MULTIPLY, NEW),
       { { NULL, "main_field" } } },
     { SSGI_GL__PASS(SURFELS, "surfels", NONE, NONE,   NONE,     NONE,   FULL,   SURFELS, ONTO,     NEW),
       { { NULL, "main_nothing" } } },
     { SSGI_GL__PASS(INTERLEAVE, "interleave", NONE, NONE,   NONE,     NONE,   LEVELS, IMAGE,   ONTO,     NEW),
       { { NULL, "main_interleave" } } },
-    { SSGI_GL__PASS(SPLAT, "splat", OWN,      NONE,   NONE,     SPLAT,  LEVELS, SPLATS,  ADD,      NEW),
+    { SSGI_GL__PASS(DSS, "dss", OWN,          NONE,   NONE,     SPLAT,  LEVELS, SPLATS,  ADD,      NEW),
       { { "effect < SCATTER", "main_splat" },
         { "effect == SCATTER", "main_splat_scatter" },
         { "effect == CUSTOM", "main_splat_custom" } } },
@@ -6283,7 +6288,7 @@ typedef struct ssgi_gl__field {
 
 static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__FIELD(SSGI_GL_CHOICE_YOURS, pass, pass, SSGI_GL_PASSES - 1, "must be SSGI_GL_PASS_ and one of ",
-                   "SSAO HSAO SSDO S3HO LIGHTS EMITTERS SHADE FIELD SURFELS INTERLEAVE SPLAT DEINTERLEAVE SMOOTH SUM "
+                   "SSAO HSAO SSDO S3HO LIGHTS EMITTERS SHADE AOF SURFELS INTERLEAVE DSS DEINTERLEAVE SMOOTH SUM "
                    "BLUR HISTORY COMPOSE THICKNESS CHANGE_MASK CHANGE_SHARE", NULL),
 
     SSGI_GL__SWITCH(YOURS, input, orthographic, NULL),
@@ -6295,50 +6300,50 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__SWITCH(YOURS, input, multisampled, NULL),
     SSGI_GL__SWITCH(YOURS, input, array, NULL),
     SSGI_GL__SWITCH(YOURS, input, motion, "pass == HISTORY || pass == CHANGE_MASK"),
-    SSGI_GL__ENUM(YOURS, input, objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM", "pass == FIELD"),
-    SSGI_GL__SWITCH(PAPER, input, cap_table, "pass == FIELD"),
+    SSGI_GL__ENUM(YOURS, input, objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM", "pass == AOF"),
+    SSGI_GL__SWITCH(PAPER, input, cap_table, "pass == AOF"),
 
     SSGI_GL__ENUM(YOURS, gather, search, SEARCH, MARCH, "SLICES POINTS MARCH", "searches"),
-    SSGI_GL__COUNT(YOURS, gather, directions, 32, "slices || marches"),
-    SSGI_GL__COUNT(YOURS, gather, samples, 64, "by_points"),
-    SSGI_GL__COUNT(YOURS, gather, steps, 64, "gathers"),
+    SSGI_GL__COUNT(YOURS, gather, slices, 32, "by_slices"),
+    SSGI_GL__COUNT(YOURS, gather, directions, 64, "(by_points && gathers) || by_march"),
+    SSGI_GL__COUNT(YOURS, gather, samples, 64, "gathers || pass == LIGHTS"),
     SSGI_GL__ENUM(YOURS, gather, noise, NOISE, TEXTURE, "GRADIENT TEXTURE", "occludes"),
-    SSGI_GL__ENUM(YOURS, gather, half, HALF, QUARTER_IN_TURN, "NONE FIRST IN_TURN QUARTER QUARTER_IN_TURN",
-                  "any_size || averages"),
+    SSGI_GL__ENUM(YOURS, gather, resolution, RESOLUTION, QUARTER_IN_TURN,
+                  "FULL HALF HALF_IN_TURN QUARTER QUARTER_IN_TURN", "any_size || averages"),
     SSGI_GL__ENUM(YOURS, gather, thickness, THICKNESS, SLABS, "DEFAULT CONSTANT SOLID WIDTH BACK SLABS",
                   "occludes || measures"),
-    SSGI_GL__COUNT(YOURS, gather, layers, 8, "by_points || marches || pass == EMITTERS"),
-    SSGI_GL__COUNT(YOURS, gather, views, 4, "by_points || marches"),
-    SSGI_GL__COUNT(YOURS, gather, view_layers, 8, "by_points || marches"),
-    SSGI_GL__ENUM(YOURS, gather, falloff, FALLOFF, NONE, "LINEAR SQUARE NONE", "gathers || pass == SPLAT"),
+    SSGI_GL__COUNT(YOURS, gather, layers, 8, "by_points || by_march || pass == EMITTERS"),
+    SSGI_GL__COUNT(YOURS, gather, views, 4, "by_points || by_march"),
+    SSGI_GL__COUNT(YOURS, gather, view_layers, 8, "by_points || by_march"),
+    SSGI_GL__ENUM(YOURS, gather, falloff, FALLOFF, NONE, "LINEAR SQUARE NONE", "gathers || pass == DSS"),
     SSGI_GL__SWITCH(YOURS, gather, facets, "gathers || pass == SHADE"),
-    SSGI_GL__SWITCH(YOURS, gather, lift, "slices || normal == FROM_DEPTH || (facets && (gathers || pass == SHADE))"),
-    SSGI_GL__COUNT(PAPER, gather, normal_rays, 8, "marches && terms != HORIZON"),
-    SSGI_GL__ENUM(PAPER, gather, terms, TERMS, RAYS, "BOTH HORIZON NORMAL RAYS", "marches"),
-    SSGI_GL__SWITCH(PAPER, gather, spheres, "marches && terms != RAYS"),
-    SSGI_GL__SWITCH(PAPER, gather, kernel, "gathers && by_points"),
-    SSGI_GL__SWITCH(PAPER, gather, uniform, "gathers && by_points"),
+    SSGI_GL__SWITCH(YOURS, gather, lift, "by_slices || normal == FROM_DEPTH || (facets && (gathers || pass == SHADE))"),
+    SSGI_GL__COUNT(PAPER, gather, normal_rays, 8, "by_march && march_terms != HORIZON"),
+    SSGI_GL__ENUM(PAPER, gather, march_terms, MARCH_TERMS, RAYS, "BOTH HORIZON NORMAL RAYS", "by_march"),
+    SSGI_GL__SWITCH(PAPER, gather, growing_sphere, "by_march && march_terms != RAYS"),
+    SSGI_GL__SWITCH(PAPER, gather, kernel_texture, "gathers && by_points"),
+    SSGI_GL__SWITCH(PAPER, gather, uniform_directions, "gathers && by_points"),
     SSGI_GL__ENUM(PAPER, gather, fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA", "gathers && by_points"),
-    SSGI_GL__SWITCH(PAPER, gather, range, "gathers && by_points"),
+    SSGI_GL__SWITCH(PAPER, gather, range_check, "gathers && by_points"),
 
     SSGI_GL__ENUM(YOURS, light, environment, ENVIRONMENT, MAP, "NONE SH MAP",
                   "pass == SSDO || surfel_pass || restores"),
     SSGI_GL__ENUM(YOURS, light, harmonics, HARMONICS, CUSTOM, "FRAME CUSTOM", NULL),
     SSGI_GL__ENUM(YOURS, light, bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH", "pass == SSDO || pass == COMPOSE"),
-    SSGI_GL__SWITCH(YOURS, light, two_sided, "pass == SSDO || pass == S3HO || pass == SPLAT"),
+    SSGI_GL__SWITCH(YOURS, light, two_sided, "pass == SSDO || pass == S3HO || pass == DSS"),
     SSGI_GL__SWITCH(YOURS, light, one_sided, "(pass == SSDO || pass == S3HO) && search == SLICES"),
     SSGI_GL__SWITCH(YOURS, light, bounced, "pass == EMITTERS"),
     SSGI_GL__SWITCH(YOURS, light, clamp, "pass == EMITTERS"),
     SSGI_GL__ENUM(YOURS, light, shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE", "pass == LIGHTS || surfel_pass"),
     SSGI_GL__ENUM(YOURS, light, restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE", NULL),
     SSGI_GL__COUNT(YOURS, light, bands, 4, "pass == SSDO || coefficients || restores"),
-    SSGI_GL__SWITCH(YOURS, light, packed, "coefficients"),
+    SSGI_GL__SWITCH(YOURS, light, packed_coefficients, "coefficients"),
     SSGI_GL__ENUM(YOURS, light, transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED", "pass == S3HO || loads"),
-    SSGI_GL__SWITCH(YOURS, light, dimmed, "pass == S3HO && transfer"),
+    SSGI_GL__SWITCH(YOURS, light, occluded_emitters, "pass == S3HO && transfer"),
     SSGI_GL__SWITCH(YOURS, light, shaded, "pass == S3HO || averages"),
     SSGI_GL__SWITCH(YOURS, light, residual, NULL),
     SSGI_GL__ENUM(YOURS, light, shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT", "shades"),
-    SSGI_GL__SWITCH(YOURS, light, lights, "shades && shading != BENT"),
+    SSGI_GL__SWITCH(YOURS, light, harmonic_lights, "shades && shading != BENT"),
     SSGI_GL__SWITCH(YOURS, light, albedo, "pass == SHADE"),
     SSGI_GL__ENUM(STEPS, light, radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO", "pass == EMITTERS"),
     SSGI_GL__COUNT(STEPS, light, receiver, 7, "pass == SSDO || pass == LIGHTS || pass == EMITTERS"),
@@ -6348,12 +6353,12 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__COUNT(YOURS, surfel, levels, 7, "splats || pass == INTERLEAVE"),
     SSGI_GL__SWITCH(YOURS, surfel, tessellate, "surfel_pass"),
     SSGI_GL__ENUM(YOURS, surfel, sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM",
-                  "pass == SURFELS || (pass == SPLAT && tessellate && effect > LIGHT)"),
-    SSGI_GL__COUNT(YOURS, surfel, span, 64, "slices || ((pass == SPLAT || pass == SUM) && !(effect > BOUNCE))"),
-    SSGI_GL__COUNT(YOURS, surfel, near_samples, 16, "pass == SPLAT"),
+                  "pass == SURFELS || (pass == DSS && tessellate && effect > LIGHT)"),
+    SSGI_GL__COUNT(YOURS, surfel, span, 64, "by_slices || ((pass == DSS || pass == SUM) && !(effect > BOUNCE))"),
+    SSGI_GL__COUNT(YOURS, surfel, near_samples, 16, "pass == DSS"),
     SSGI_GL__FIELD(SSGI_GL_CHOICE_PAPER, surfel.overhang, overhang, SSGI_OVERHANG_CENTROID,
                    "must be SSGI_OVERHANG_ and one of ", "INCENTRE CENTROID", "surfel_pass && tessellate"),
-    SSGI_GL__SWITCH(PAPER, surfel, enlarge, "pass == SPLAT && effect != SCATTER"),
+    SSGI_GL__SWITCH(PAPER, surfel, enlarge, "pass == DSS && effect != SCATTER"),
     SSGI_GL__ENUM(PAPER, surfel, combine, COMBINE, ADD, "SHARE ADD", "pass == SUM && effect != SCATTER"),
     SSGI_GL__SWITCH(STEPS, surfel, axis, "pass == SMOOTH"),
 
@@ -6367,12 +6372,12 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__ENUM(STEPS, filter, quantity, QUANTITY, COEFFICIENTS, "VISIBILITY LIGHT COEFFICIENTS",
                   "filters || pass == CHANGE_MASK"),
 
-    SSGI_GL__ENUM(YOURS, text, dialect, DIALECT, VULKAN, "330 410 450 300ES 310ES 320ES VULKAN", NULL),
-    SSGI_GL__ENUM(YOURS, text, uniforms, UNIFORMS, LOOSE, "BLOCK LOOSE", NULL),
-    SSGI_GL__COUNT(YOURS, text, block_set, 31, "dialect == VULKAN"),
-    SSGI_GL__COUNT(YOURS, text, texture_set, 31, "dialect == VULKAN"),
-    SSGI_GL__SWITCH(YOURS, text, dense, "dialect == VULKAN"),
-    SSGI_GL__SWITCH(YOURS, text, lines, NULL)
+    SSGI_GL__ENUM(YOURS, shader, dialect, DIALECT, VULKAN, "330 410 450 300ES 310ES 320ES VULKAN", NULL),
+    SSGI_GL__ENUM(YOURS, shader, uniforms, UNIFORMS, LOOSE, "BLOCK LOOSE", NULL),
+    SSGI_GL__COUNT(YOURS, shader, block_set, 31, "dialect == VULKAN"),
+    SSGI_GL__COUNT(YOURS, shader, texture_set, 31, "dialect == VULKAN"),
+    SSGI_GL__SWITCH(YOURS, shader, dense, "dialect == VULKAN"),
+    SSGI_GL__SWITCH(YOURS, shader, lines, NULL)
 };
 
 /* clang-format on */
@@ -6383,7 +6388,7 @@ typedef struct ssgi_gl__dialect {
     const char *name, *version;
     const char *head; /* behind the version, be it ours or yours */
     const char *set;  /* in layout(), before a binding; NULL: no layout(binding) */
-    int textures;     /* binding of texture unit 0, unless desc.text.dense */
+    int textures;     /* binding of texture unit 0, unless desc.shader.dense */
 } ssgi_gl__dialect;
 
 #define SSGI_GL__ES \
@@ -6438,10 +6443,10 @@ static const char *const ssgi_gl__refusals[][2] = {
       "desc.gather.search: only hsao marches; ssdo and s3ho are SSGI_GL_SEARCH_SLICES or _POINTS" },
     { "pass == HSAO && search == SLICES && normal_rays",
       "desc.gather.normal_rays: only SSGI_GL_SEARCH_MARCH has them; slices see above the horizon" },
-    { "slices && layers > 1",
+    { "by_slices && layers > 1",
       "desc.gather.layers: slices read visible surfaces and their slabs (desc.gather.thickness); hidden layers "
       "need SSGI_GL_SEARCH_POINTS or _MARCH" },
-    { "slices && views",
+    { "by_slices && views",
       "desc.gather.views: slices read visible surfaces and their slabs (desc.gather.thickness); extra cameras need "
       "SSGI_GL_SEARCH_POINTS or _MARCH" },
     { "two_sided && one_sided", "desc.light.one_sided: emitters have one side or two: desc.light.two_sided is 1" },
@@ -6451,21 +6456,22 @@ static const char *const ssgi_gl__refusals[][2] = {
       "desc.gather.thickness: widths and back faces are those of one layer and camera; layers and views want "
       "SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.input.world_normals: normals from depth are in view space" },
-    { "half && (pass == BLUR || pass == HISTORY) && filter == GAUSSIAN",
+    { "resolution && (pass == BLUR || pass == HISTORY) && filter == GAUSSIAN",
       "desc.filter.kind: only SSGI_GL_FILTER_BILATERAL brings half size to full" },
     { "(pass == HISTORY || pass == CHANGE_MASK) && quantity == COEFFICIENTS",
       "desc.filter.quantity: history has SSGI_GL_QUANTITY_VISIBILITY and _LIGHT; coefficients are shaded first" },
     { "pass == SSDO && !environment && !bounce",
       "desc.light.environment: ssdo needs an environment, a bounce or both" },
-    { "transfer && !packed && ((pass == S3HO && !shaded) || pass == SHADE || "
+    { "transfer && !packed_coefficients && ((pass == S3HO && !shaded) || pass == SHADE || "
       "(pass == BLUR && quantity == COEFFICIENTS))",
-      "desc.light.packed: three sets of coefficients need it: there are fewer targets than floats" },
+      "desc.light.packed_coefficients: three sets of coefficients need it: there are fewer targets than floats" },
     { "pass == SHADE && shading && (bands == 1 || transfer)",
       "desc.light.shading: a mean direction needs one set of coefficients (desc.light.transfer), of 2 bands or more" },
     { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
       "desc.light.restore: reflected light may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
-    { "pass == S3HO && transfer && dimmed && (layers > 1 || views)",
-      "desc.light.dimmed: the last frame's coefficients are of visible surfaces: not with desc.gather.layers or "
+    { "pass == S3HO && transfer && occluded_emitters && (layers > 1 || views)",
+      "desc.light.occluded_emitters: the last frame's coefficients are of visible surfaces: not with "
+      "desc.gather.layers or "
       ".views" },
     { "harmonics == CUSTOM && residual",
       "desc.light.residual: is of frame.harmonics' light: SSGI_GL_HARMONICS_CUSTOM has none" },
@@ -6478,8 +6484,8 @@ static const char *const ssgi_gl__refusals[][2] = {
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_DIALECT_VULKAN ssgi_surfels makes them on the CPU" },
     { "uniforms && dialect == VULKAN",
-      "desc.text.uniforms: SSGI_GL_DIALECT_VULKAN has uniforms in blocks alone: SSGI_GL_UNIFORMS_BLOCK" },
-    { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect < 320ES",
+      "desc.shader.uniforms: SSGI_GL_DIALECT_VULKAN has uniforms in blocks alone: SSGI_GL_UNIFORMS_BLOCK" },
+    { "tessellate && (pass == SURFELS || pass == DSS) && dialect != 410 && dialect != 450 && dialect < 320ES",
       "desc.surfel.tessellate: needs tessellation shaders: SSGI_GL_DIALECT_410, _450, _320ES or _VULKAN" }
 };
 
@@ -6495,12 +6501,13 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         SSGI_GL__CHECK(!ssgi_gl__holds(ssgi_gl__refusals[i][0], desc), ssgi_gl__refusals[i][1]);
     SSGI_GL__CHECK(!desc->light.receiver || desc->light.receiver < desc->gather.layers,
                    "desc.light.receiver: must be below desc.gather.layers");
-    SSGI_GL__CHECK(desc->text.fetch
-                       || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
-                                          "sends == CUSTOM || effect == CUSTOM || harmonics == CUSTOM",
-                                          desc),
-                   "desc.text.fetch: must hold those that are CUSTOM of ssgi_custom_depth, _normal, _object, _surfel, "
-                   "_effect and _reach, _harmonic");
+    SSGI_GL__CHECK(
+        desc->shader.fetch
+            || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
+                               "sends == CUSTOM || effect == CUSTOM || harmonics == CUSTOM",
+                               desc),
+        "desc.shader.fetch: must hold those that are CUSTOM of ssgi_custom_depth, _normal, _object, _surfel, "
+        "_effect and _reach, _harmonic");
     return SSGI_OK;
 }
 
@@ -6509,10 +6516,11 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
     return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i].choice : NULL;
 }
 
-/* The fields that a preset sets. Points keep directions and normal_rays as they are, others samples, range and fade. */
+/* The fields that a preset sets. Points keep slices and normal_rays as they are, slices directions, range_check and
+   fade. */
 typedef struct ssgi_gl__preset {
-    int half, samples, directions, steps, normal_rays;
-    int fades;    /* 1: range, and fade SMOOTH */
+    int resolution, slices, directions, samples, normal_rays;
+    int fades;    /* 1: range_check, and fade SMOOTH */
     int constant; /* slices   1: thickness CONSTANT, 0: DEFAULT */
 
     struct { /* a stage of the filter */
@@ -6528,29 +6536,29 @@ typedef struct ssgi_gl__preset {
    ssdo it gains .006 for a quarter more time. */
 /* clang-format off */
 static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
-    /* half, samples, directions, steps, normal_rays, fades, constant, filter: BILATERAL is 0 */
-    { { 0,  8, 0,  1, 0, 0, 0, { 0, 1 } },       /* ssao: FAST */
-      { 0, 16, 0,  1, 0, 0, 0, { 0, 1 } },       /*       BALANCED */
-      { 0, 32, 0,  1, 0, 0, 0, { 0, 1 } } },     /*       BEST */
-    { { 0,  4, 0,  1, 0, 0, 0, { 0, 1 } },       /* segments of lights: FAST */
-      { 0,  8, 0,  1, 0, 0, 0, { 0, 1 } },       /*                     BALANCED */
-      { 0, 16, 0,  1, 0, 0, 0, { 0, 1 } } },     /*                     BEST */
-    { { 3,  0, 2,  8, 0, 0, 0, { 0, 1 } },       /* surfels, and slices near by: FAST */
-      { 1,  0, 2,  8, 0, 0, 0, { 0, 1 } },       /*                              BALANCED */
-      { 0,  0, 2,  7, 0, 0, 0, { 0, 1 } } },     /*                              BEST */
-    { { 1,  0, 1, 10, 0, 0, 1, { 0, 2 } },       /* slices of hsao: FAST */
-      { 1,  0, 2,  8, 0, 0, 0, { 0, 2 } },       /*                 BALANCED */
-      { 0,  0, 2,  7, 0, 0, 0, { 0, 1 } } },     /*                 BEST */
+    /* resolution, slices, directions, samples, normal_rays, fades, constant, filter: BILATERAL is 0 */
+    { { 0, 0,  8,  1, 0, 0, 0, { 0, 1 } },       /* ssao: FAST */
+      { 0, 0, 16,  1, 0, 0, 0, { 0, 1 } },       /*       BALANCED */
+      { 0, 0, 32,  1, 0, 0, 0, { 0, 1 } } },     /*       BEST */
+    { { 0, 0,  0,  4, 0, 0, 0, { 0, 1 } },       /* segments of lights: FAST */
+      { 0, 0,  0,  8, 0, 0, 0, { 0, 1 } },       /*                     BALANCED */
+      { 0, 0,  0, 16, 0, 0, 0, { 0, 1 } } },     /*                     BEST */
+    { { 3, 2,  0,  8, 0, 0, 0, { 0, 1 } },       /* surfels, and slices near by: FAST */
+      { 1, 2,  0,  8, 0, 0, 0, { 0, 1 } },       /*                              BALANCED */
+      { 0, 2,  0,  7, 0, 0, 0, { 0, 1 } } },     /*                              BEST */
+    { { 1, 1,  0, 10, 0, 0, 1, { 0, 2 } },       /* slices of hsao: FAST */
+      { 1, 2,  0,  8, 0, 0, 0, { 0, 2 } },       /*                 BALANCED */
+      { 0, 2,  0,  7, 0, 0, 0, { 0, 1 } } },     /*                 BEST */
     /* Several points lie along a direction, as single ones miss more. */
-    { { 1,  4, 0,  4, 0, 1, 0, { 0, 1 } },       /* points of ssdo, s3ho: FAST */
-      { 0,  4, 0,  4, 0, 1, 0, { 0, 1 } },       /*                       BALANCED */
-      { 0,  8, 0,  6, 0, 1, 0, { 0, 1 } } },     /*                       BEST */
-    { { 0,  0, 4,  6, 0, 0, 0, { 0, 1 } },       /* march: FAST */
-      { 0,  0, 6,  9, 1, 0, 0, { 0, 1 } },       /*        BALANCED */
-      { 0,  0, 8, 18, 2, 0, 0, { 0, 1 } } },     /*        BEST */
-    { { 1,  0, 1,  5, 0, 0, 0, { 0, 1 } },       /* slices of ssdo, s3ho: FAST */
-      { 1,  0, 2,  9, 0, 0, 0, { 0, 1 } },       /*                       BALANCED */
-      { 0,  0, 2,  9, 0, 0, 0, { 0, 1 } } } };   /*                       BEST */
+    { { 1, 0,  4,  4, 0, 1, 0, { 0, 1 } },       /* points of ssdo, s3ho: FAST */
+      { 0, 0,  4,  4, 0, 1, 0, { 0, 1 } },       /*                       BALANCED */
+      { 0, 0,  8,  6, 0, 1, 0, { 0, 1 } } },     /*                       BEST */
+    { { 0, 0,  4,  6, 0, 0, 0, { 0, 1 } },       /* march: FAST */
+      { 0, 0,  6,  9, 1, 0, 0, { 0, 1 } },       /*        BALANCED */
+      { 0, 0,  8, 18, 2, 0, 0, { 0, 1 } } },     /*        BEST */
+    { { 1, 1,  0,  5, 0, 0, 0, { 0, 1 } },       /* slices of ssdo, s3ho: FAST */
+      { 1, 2,  0,  9, 0, 0, 0, { 0, 1 } },       /*                       BALANCED */
+      { 0, 2,  0,  9, 0, 0, 0, { 0, 1 } } } };   /*                       BEST */
 
 /* clang-format on */
 
@@ -6562,7 +6570,8 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 
     enum {
         SEARCHES = SSGI_GL__PRESET_SEARCH - SSGI_GL__PRESET_SSAO,
-        SLICES_OF_LIGHT = SEARCHES + SSGI_GL_SEARCH_MARCH + 1
+        MARCH = SEARCHES + SSGI_GL_SEARCH_MARCH,
+        SLICES_OF_LIGHT
     };
 
     const int of = ssgi_gl__pass_of(desc->pass)->preset,
@@ -6572,17 +6581,17 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
                  : of == SSGI_GL__PRESET_LIT && slices ? SLICES_OF_LIGHT
                                                        : SEARCHES + (int)desc->gather.search;
     const ssgi_gl__preset *const set = &ssgi_gl__presets[at][preset];
-    desc->gather.half = (ssgi_gl_half)set->half;
-    desc->gather.steps = set->steps;
+    desc->gather.resolution = (ssgi_gl_resolution)set->resolution;
+    if (set->slices) desc->gather.slices = set->slices;
+    if (set->directions) desc->gather.directions = set->directions;
+    desc->gather.samples = set->samples;
     if (slices && desc->gather.thickness <= SSGI_GL_THICKNESS_CONSTANT)
         desc->gather.thickness = set->constant ? SSGI_GL_THICKNESS_CONSTANT : SSGI_GL_THICKNESS_DEFAULT;
-    if (set->samples) {
-        desc->gather.samples = set->samples;
-        desc->gather.range = set->fades;
-        desc->gather.fade = set->fades ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
-    } else {
-        desc->gather.directions = set->directions;
+    if (set->slices || at == MARCH) {
         desc->gather.normal_rays = set->normal_rays;
+    } else {
+        desc->gather.range_check = set->fades;
+        desc->gather.fade = set->fades ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
     }
     if (desc->pass == SSGI_GL_PASS_SSDO && desc->light.environment) desc->light.restore = SSGI_GL_RESTORE_RATIO;
     desc->filter.kind = (ssgi_gl_filter)set->filter.kind;
@@ -6593,12 +6602,12 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why)
 {
-    static const ssgi_gl_pass passes[] = { SSGI_GL_PASS_SSAO, SSGI_GL_PASS_HSAO,  SSGI_GL_PASS_SSDO,
-                                           SSGI_GL_PASS_S3HO, SSGI_GL_PASS_SPLAT, SSGI_GL_PASS_FIELD };
+    static const ssgi_gl_pass passes[] = { SSGI_GL_PASS_SSAO, SSGI_GL_PASS_HSAO, SSGI_GL_PASS_SSDO,
+                                           SSGI_GL_PASS_S3HO, SSGI_GL_PASS_DSS,  SSGI_GL_PASS_AOF };
     static const ssgi_gl_thickness thickness[] = { SSGI_GL_THICKNESS_DEFAULT, SSGI_GL_THICKNESS_CONSTANT,
                                                    SSGI_GL_THICKNESS_BACK, SSGI_GL_THICKNESS_SLABS };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
-    SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_METHOD_NOTHING && plan->method <= SSGI_PLAN_METHOD_FIELD,
+    SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_METHOD_NOTHING && plan->method <= SSGI_PLAN_METHOD_AOF,
                    "plan: must not be NULL, and of something");
     SSGI_GL__CHECK(plan->thickness >= SSGI_PLAN_THICKNESS_WIDTH && plan->thickness <= SSGI_PLAN_THICKNESS_SLABS,
                    "plan.thickness: must be SSGI_PLAN_THICKNESS_WIDTH, _CONSTANT, _BACK or _SLABS");
@@ -6607,13 +6616,13 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     d.gather.search = SSGI_GL_SEARCH_SLICES;
     if (d.pass == SSGI_GL_PASS_SSDO && !d.light.environment) d.light.environment = SSGI_GL_ENVIRONMENT_MAP;
     SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_PRESET_BALANCED, why));
-    d.gather.half = (ssgi_gl_half)plan->half;
-    d.gather.directions = plan->directions;
-    d.gather.steps = plan->steps;
+    d.gather.resolution = (ssgi_gl_resolution)plan->resolution;
+    d.gather.slices = plan->slices;
+    d.gather.samples = plan->samples;
     d.gather.thickness = thickness[plan->thickness];
     d.light.bands = plan->bands;
     d.surfel.levels = plan->levels;
-    if (d.pass == SSGI_GL_PASS_SPLAT) d.surfel.span = 6;
+    if (d.pass == SSGI_GL_PASS_DSS) d.surfel.span = 6;
     d.filter.radius = plan->filter_radius;
     if (d.pass == SSGI_GL_PASS_S3HO) {
         d.light.shaded = d.light.residual = 1;
@@ -6642,22 +6651,22 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
       SSGI_GL_NORMAL_FROM_DEPTH, NULL },
     { SSGI_GL__AT(input.world_normals), "facets && !receiver && (gathers || pass == SHADE)", 0, NULL },
     { SSGI_GL__AT(gather.search), "has_points", SSGI_GL_SEARCH_POINTS, NULL },
-    { SSGI_GL__AT(gather.directions), "slices && !directions", 1, NULL },
-    { SSGI_GL__AT(gather.directions), "marches && !directions", 6, NULL },
-    { SSGI_GL__AT(gather.samples), "by_points && !samples && pass == LIGHTS", 8, NULL },
-    { SSGI_GL__AT(gather.samples), "by_points && !samples && pass != LIGHTS", 16, NULL },
-    { SSGI_GL__AT(gather.steps), "gathers && !steps && (slices || marches)", 6, NULL },
-    { SSGI_GL__AT(gather.steps), "gathers && !steps && by_points", 1, NULL },
-    { SSGI_GL__AT(gather.half), "!any_size && !averages && at_half", SSGI_GL_HALF_FIRST, NULL },
+    { SSGI_GL__AT(gather.slices), "by_slices && !slices", 1, NULL },
+    { SSGI_GL__AT(gather.directions), "by_march && !directions", 6, NULL },
+    { SSGI_GL__AT(gather.directions), "gathers && by_points && !directions", 16, NULL },
+    { SSGI_GL__AT(gather.samples), "!samples && pass == LIGHTS", 8, NULL },
+    { SSGI_GL__AT(gather.samples), "gathers && !samples && (by_slices || by_march)", 6, NULL },
+    { SSGI_GL__AT(gather.samples), "gathers && !samples && by_points", 1, NULL },
+    { SSGI_GL__AT(gather.resolution), "!any_size && !averages && at_half", SSGI_GL_RESOLUTION_HALF, NULL },
     { SSGI_GL__AT(gather.thickness), "measures && !thickness", SSGI_GL_THICKNESS_WIDTH, NULL },
     { SSGI_GL__AT(gather.thickness), "occludes && !thickness", SSGI_GL_THICKNESS_CONSTANT, NULL },
     /* Pass thickness reads the back faces. */
-    { SSGI_GL__AT(gather.thickness), "slices && thickness == BACK", SSGI_GL_THICKNESS_WIDTH, NULL },
-    { SSGI_GL__AT(gather.layers), "(by_points || marches || pass == EMITTERS) && !layers", 1, NULL },
-    { SSGI_GL__AT(gather.view_layers), "(by_points || marches) && !view_layers", 1, NULL },
-    { SSGI_GL__AT(gather.falloff), "marches && falloff == SQUARE", SSGI_GL_FALLOFF_LINEAR, NULL },
-    { SSGI_GL__AT(gather.terms), "marches && terms == HORIZON", SSGI_GL_TERMS_BOTH, NULL },
-    { SSGI_GL__AT(gather.normal_rays), "marches && terms > HORIZON && !normal_rays", 1, NULL },
+    { SSGI_GL__AT(gather.thickness), "by_slices && thickness == BACK", SSGI_GL_THICKNESS_WIDTH, NULL },
+    { SSGI_GL__AT(gather.layers), "(by_points || by_march || pass == EMITTERS) && !layers", 1, NULL },
+    { SSGI_GL__AT(gather.view_layers), "(by_points || by_march) && !view_layers", 1, NULL },
+    { SSGI_GL__AT(gather.falloff), "by_march && falloff == SQUARE", SSGI_GL_FALLOFF_LINEAR, NULL },
+    { SSGI_GL__AT(gather.march_terms), "by_march && march_terms == HORIZON", SSGI_GL_MARCH_TERMS_BOTH, NULL },
+    { SSGI_GL__AT(gather.normal_rays), "by_march && march_terms > HORIZON && !normal_rays", 1, NULL },
     { SSGI_GL__AT(light.environment), "pass == S3HO && !reflected", SSGI_GL_ENVIRONMENT_SH, NULL },
     { SSGI_GL__AT(light.harmonics),
       "shading || environment == MAP || !(pass == SHADE || (pass == S3HO && shaded) || (pass == SSDO && environment) "
@@ -6668,17 +6677,18 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
     { SSGI_GL__AT(light.shadow), "surfel_pass && shadow == SEGMENT", SSGI_GL_SHADOW_NONE, NULL },
     { SSGI_GL__AT(light.restore),
       "reflected || shading == BENT || !(restores || pass == SHADE || (pass == SSDO && environment) || "
-      "(pass == S3HO && shaded) || (pass == SUM && half && effect == LIGHT))",
+      "(pass == S3HO && shaded) || (pass == SUM && resolution && effect == LIGHT))",
       SSGI_GL_RESTORE_NONE, "shading" },
     { SSGI_GL__AT(light.residual),
-      "reflected || (shading && !lights) || environment == MAP || !(pass == SHADE || restores || "
+      "reflected || (shading && !harmonic_lights) || environment == MAP || !(pass == SHADE || restores || "
       "(pass == S3HO && shaded) || (pass == SSDO && environment))",
-      0, "shading lights environment" },
+      0, "shading harmonic_lights environment" },
     /* A mean direction needs two bands. */
-    { SSGI_GL__AT(light.bands), "(loads || restores) && shading && !lights && (!bands || bands > 2)", 2,
-      "shading lights" },
+    { SSGI_GL__AT(light.bands), "(loads || restores) && shading && !harmonic_lights && (!bands || bands > 2)", 2,
+      "shading harmonic_lights" },
     { SSGI_GL__AT(light.bands), "pass == SSDO && !bands", 3, NULL },
-    { SSGI_GL__AT(light.bands), "(coefficients || restores) && !(shading && !lights) && !bands", 4, "shading lights" },
+    { SSGI_GL__AT(light.bands), "(coefficients || restores) && !(shading && !harmonic_lights) && !bands", 4,
+      "shading harmonic_lights" },
     { SSGI_GL__AT(surfel.levels), "(splats || pass == INTERLEAVE) && !levels", 4, NULL },
     { SSGI_GL__AT(filter.radius), "filters && !filter_radius && filter == GAUSSIAN", 2, NULL },
     { SSGI_GL__AT(filter.radius), "filters && !filter_radius && filter != GAUSSIAN", 1, NULL },
@@ -6770,14 +6780,14 @@ static const struct {
     { "any_size", "at_any || at_levels", -1, -1, -1 },
     /* Its depths are those of t_ssgi_thickness. */
     { "measured", "occludes && thickness > SOLID && (thickness == WIDTH || search == SLICES)", -1, -1, -1 },
-    { "slices", "searches && search == SLICES", -1, -1, -1 },
-    { "marches", "searches && search == MARCH", -1, -1, -1 },
+    { "by_slices", "searches && search == SLICES", -1, -1, -1 },
+    { "by_march", "searches && search == MARCH", -1, -1, -1 },
     { "by_points", "has_points || (searches && search == POINTS)", -1, -1, -1 },
     { "gathers", "pass == SSAO || searches", -1, -1, -1 },
     { "averages", "pass == BLUR || pass == HISTORY", -1, -1, -1 },
     { "filters", "averages || pass == COMPOSE", -1, -1, -1 }, /* ssgi_gl_read reads as compose what is filtered */
-    { "surfel_pass", "pass == SURFELS || pass == SPLAT", -1, -1, -1 },
-    { "splats", "pass == SPLAT || pass == DEINTERLEAVE || pass == SMOOTH || pass == SUM", -1, -1, -1 },
+    { "surfel_pass", "pass == SURFELS || pass == DSS", -1, -1, -1 },
+    { "splats", "pass == DSS || pass == DEINTERLEAVE || pass == SMOOTH || pass == SUM", -1, -1, -1 },
     { "loads", "pass == SHADE || (pass == BLUR && quantity == COEFFICIENTS)", -1, -1, -1 }, /* coefficients */
     { "coefficients", "pass == S3HO || loads || (pass == COMPOSE && quantity == COEFFICIENTS)", -1, -1, -1 },
     { "reflected", "(pass == S3HO || loads) && transfer == REFLECTED", -1, -1, -1 },
@@ -6916,7 +6926,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 
 /* ---- linking: a kept line keeps the entries that it names */
 /* A hash table, with open addresses. It is never full: a kept line names entries, rows and a few functions of
-   desc.text.fetch, and all of these together leave slots empty, else the second line does not compile. */
+   desc.shader.fetch, and all of these together leave slots empty, else the second line does not compile. */
 enum { SSGI_GL__SLOTS = 1024 };
 
 typedef char ssgi_gl__slots_suffice[SSGI_GL__CODES + SSGI_GL__ROWS < SSGI_GL__SLOTS / 2 ? 1 : -1];
@@ -6924,7 +6934,7 @@ typedef char ssgi_gl__slots_suffice[SSGI_GL__CODES + SSGI_GL__ROWS < SSGI_GL__SL
 typedef struct ssgi_gl__names {
     const char *at[SSGI_GL__SLOTS];
     unsigned char length[SSGI_GL__SLOTS];
-    unsigned char custom; /* 1: a function of desc.text.fetch is named */
+    unsigned char custom; /* 1: a function of desc.shader.fetch is named */
 } ssgi_gl__names;
 
 /* Whether a name is in the table; `add` puts it there, if it was not. */
@@ -6963,14 +6973,14 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 
 typedef struct ssgi_gl__stage {
     unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS]; /* 1: kept */
-    unsigned char fetch;                                    /* 1: desc.text.fetch is read; 2: and calls ssgi_decode */
+    unsigned char fetch;                                    /* 1: desc.shader.fetch is read; 2: and calls ssgi_decode */
 } ssgi_gl__stage;
 
 /* Goes from the last function to the first, and keeps each that the roots or a kept function name; then the rows that
    these name. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
-    const int decodes = d->text.fetch && strstr(d->text.fetch, "ssgi_decode");
+    const int decodes = d->shader.fetch && strstr(d->shader.fetch, "ssgi_decode");
     ssgi_gl__names names;
     size_t n;
     memset(stage, 0, sizeof *stage);
@@ -7035,16 +7045,16 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
    table. */
 static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
 {
-    static const char *const counts[] = { "SSGI_DIRECTIONS", "SSGI_STEPS", "SSGI_SAMPLES" };
-    const size_t most = d->gather.kernel || d->pass == SSGI_GL_PASS_LIGHTS ? 3 : 2;
-    for (size_t i = 0; i < most && d->text.dialect == SSGI_GL_DIALECT_VULKAN; ++i)
+    static const char *const counts[] = { "SSGI_SLICES", "SSGI_SAMPLES", "SSGI_DIRECTIONS" };
+    const size_t most = d->gather.kernel_texture || d->gather.search == SSGI_GL_SEARCH_MARCH ? 3 : 2;
+    for (size_t i = 0; i < most && d->shader.dialect == SSGI_GL_DIALECT_VULKAN; ++i)
         if (!strcmp(counts[i], name)) return i + 1;
     return 0;
 }
 
 /* Gives a texture or a member of a block the place that the text has in VULKAN. block: the bindings of the blocks that
    rows before it are of, -1: none yet; count: how many blocks and textures there are before it. */
-static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_text_desc *text, int block[2], int count[2])
+static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int block[2], int count[2])
 {
     if (text->dialect != SSGI_GL_DIALECT_VULKAN) return;
     if (io->kind == SSGI_GL_IO_PARAM) {
@@ -7070,7 +7080,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         int used = 0;
         for (int s = 0; s < SSGI_GL_STAGES; ++s) used |= p->stage[s].row[i];
         if (!used) continue;
-        ssgi_gl__place(&io, &p->d.text, bound, count);
+        ssgi_gl__place(&io, &p->d.shader, bound, count);
         if (io.kind == SSGI_GL_IO_CONSTANT) {
             io.slot = ssgi_gl__get(&p->d, io.offset);
             io.offset = ssgi_gl__constant_id(&p->d, io.name);
@@ -7079,9 +7089,9 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_IO_CAPTURE && p->mains[SSGI_GL_STAGE_GEOMETRY] && stage >= SSGI_GL_STAGE_GEOMETRY)
             continue; /* It goes from stage to stage; the outputs of the last one are captured. */
-        const int in_block = io.kind == SSGI_GL_IO_PARAM && !p->d.text.uniforms;
+        const int in_block = io.kind == SSGI_GL_IO_PARAM && !p->d.shader.uniforms;
         if (stage < SSGI_GL_STAGES && !(in_block ? block[io.slot] : p->stage[stage].row[i])) continue;
-        io.type = ssgi_gl__word_of(p->d.text.dialect, io.type, strlen(io.type));
+        io.type = ssgi_gl__word_of(p->d.shader.dialect, io.type, strlen(io.type));
         if (n++ < capacity) out[n - 1] = io;
     }
     return n;
@@ -7203,7 +7213,7 @@ static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t lengt
     const char *yours = d->input.array ? strstr(line, ", pixel + u_ssgi_origin, 0") : NULL;
     for (;;) {
         const size_t part = yours && yours < line + length ? (size_t)(yours - line) : length;
-        if (d->text.dialect == SSGI_GL_DIALECT_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
+        if (d->shader.dialect == SSGI_GL_DIALECT_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
         else ssgi_gl__put(t, line, part);
         if (part == length) break;
         ssgi_gl__print(t, ", ivec3(pixel + u_ssgi_origin, u_ssgi_slice)");
@@ -7226,12 +7236,12 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
         if (!stage->code[i]) continue;
         ssgi_gl__print(t, "\n");
         while ((line = ssgi_gl__next(&r, &n)) != NULL) {
-            if (d->text.lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
+            if (d->shader.lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
             last = r.line;
             ssgi_gl__print_line(t, line, n, d, place);
         }
         if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL_TABLE"))
-            ssgi_gl__print_kernel(t, d->gather.samples, d->gather.uniform);
+            ssgi_gl__print_kernel(t, d->gather.directions, d->gather.uniform_directions);
     }
 }
 
@@ -7239,8 +7249,8 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
 {
     static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by ssgi_gl_io.kind */
     const ssgi_gl_desc *d = &p->d;
-    const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->text.dialect];
-    const char *version = d->text.version ? d->text.version : dialect->version;
+    const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->shader.dialect];
+    const char *version = d->shader.version ? d->shader.version : dialect->version;
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     const int n = ssgi_gl__collect(p, stage, io, SSGI_GL_MAX_IO);
     int samples = 0;
@@ -7253,7 +7263,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
             if (io[i].offset) ssgi_gl__print(t, "layout(constant_id = %d) ", (int)io[i].offset);
             ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
         }
-    for (int block = 0; block < 2; ++block) ssgi_gl__print_block(t, io, n, block, dialect->set, d->text.uniforms);
+    for (int block = 0; block < 2; ++block) ssgi_gl__print_block(t, io, n, block, dialect->set, d->shader.uniforms);
     for (int i = 0; i < n; ++i) {
         const int kind = io[i].kind;
         if (kind == SSGI_GL_IO_PARAM || kind == SSGI_GL_IO_CONSTANT) continue;
@@ -7267,7 +7277,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
         ssgi_gl__print(t, "%s %s %s; // %s\n", words[kind], io[i].type, io[i].name, io[i].format);
     }
     if (p->stage[stage].fetch > 1) ssgi_gl__print(t, "\nfloat ssgi_decode(float d);\n");
-    if (d->text.fetch && p->stage[stage].fetch) ssgi_gl__print(t, "\n%s\n", d->text.fetch);
+    if (d->shader.fetch && p->stage[stage].fetch) ssgi_gl__print(t, "\n%s\n", d->shader.fetch);
     ssgi_gl__print_codes(t, &p->stage[stage], d);
 }
 
@@ -7305,7 +7315,7 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
     ssgi_gl__program p;
     ssgi_gl__stage *const stage = &p.stage[SSGI_GL_STAGE_FRAGMENT];
     ssgi_gl__text t = { out, capacity, 0, 0 };
-    const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->text.dialect];
+    const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->shader.dialect];
     const char *const set = in->textures ? in->set : NULL;
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     memset(&p, 0, sizeof p);
@@ -7314,7 +7324,7 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
     const int n = ssgi_gl__collect(&p, SSGI_GL_STAGE_FRAGMENT, io, SSGI_GL_MAX_IO);
     for (int i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_IO_CONSTANT) ssgi_gl__print(&t, "const int %s = %d;\n", io[i].name, io[i].slot);
-    ssgi_gl__print_block(&t, io, n, 0, set, d->text.uniforms);
+    ssgi_gl__print_block(&t, io, n, 0, set, d->shader.uniforms);
     for (int i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_IO_TEXTURE) {
             if (set) {
@@ -7324,7 +7334,7 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
             ssgi_gl__print(&t, "uniform highp %s %s; // %s\n", io[i].type, io[i].name, io[i].format);
         }
     if (stage->fetch > 1) ssgi_gl__print(&t, "\nfloat ssgi_decode(float d);\n");
-    if (d->text.fetch && stage->fetch) ssgi_gl__print(&t, "\n%s\n", d->text.fetch);
+    if (d->shader.fetch && stage->fetch) ssgi_gl__print(&t, "\n%s\n", d->shader.fetch);
     ssgi_gl__print_codes(&t, stage, d);
     return ssgi_gl__end(&t);
 }
@@ -7343,8 +7353,8 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
     ssgi_gl_desc d;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;
-    d.pass = SSGI_GL_PASS_FIELD;
-    d.text.lines = 0;
+    d.pass = SSGI_GL_PASS_AOF;
+    d.shader.lines = 0;
     return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
 }
 
@@ -7376,7 +7386,7 @@ SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *des
     /* Filtered results are read as compose reads them, those of gathers as blur does. */
     d.pass = filters || surfels || pass == SSGI_GL_PASS_LIGHTS ? SSGI_GL_PASS_COMPOSE : SSGI_GL_PASS_BLUR;
     d.filter.kind = SSGI_GL_FILTER_BILATERAL;
-    d.text.lines = 0;
+    d.shader.lines = 0;
     if (ssgi_gl_check(&d, NULL) != SSGI_OK) return 0;
     d = ssgi_gl_resolve(&d);
     return ssgi_gl__functions(out, capacity, &d, roots[d.filter.quantity]);
@@ -7517,7 +7527,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
     const int single = *out->type == 'f', whole = *out->type == 'u';
     const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole where they are packed */
     /* GLES does not blend 32-bit floats. */
-    const int gles = d->text.dialect >= SSGI_GL_DIALECT_300ES && d->text.dialect < SSGI_GL_DIALECT_VULKAN;
+    const int gles = d->shader.dialect >= SSGI_GL_DIALECT_300ES && d->shader.dialect < SSGI_GL_DIALECT_VULKAN;
     const int blended = ssgi_gl__pass_of(d->pass)->blend != SSGI_GL__BLEND_ONTO;
     const int wide = chain->precise > coefficients && !(blended && gles);
     int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
@@ -7534,9 +7544,9 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
     const int column = ssgi_gl__pass_of(d->pass)->size;
-    const int chosen = d->gather.half >= SSGI_GL_HALF_QUARTER ? SSGI_GL__SIZE_QUARTER
-                     : d->gather.half                         ? SSGI_GL__SIZE_HALF
-                                                              : SSGI_GL__SIZE_FULL;
+    const int chosen = d->gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? SSGI_GL__SIZE_QUARTER
+                     : d->gather.resolution                               ? SSGI_GL__SIZE_HALF
+                                                                          : SSGI_GL__SIZE_FULL;
     const int size = column != SSGI_GL__SIZE_CHOSEN ? column : chosen;
     const int of = size == SSGI_GL__SIZE_LEVELS ? chosen : size;
     const int part = of == SSGI_GL__SIZE_TILES ? 8 : of == SSGI_GL__SIZE_QUARTER ? 4 : of == SSGI_GL__SIZE_HALF ? 2 : 1;
@@ -7586,7 +7596,7 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->multisampled = end == 'S'; /* sampler2DMS */
     in->integer = *row->type == 'u';
     in->set = row->set;
-    in->binding = d->text.dialect == SSGI_GL_DIALECT_VULKAN
+    in->binding = d->shader.dialect == SSGI_GL_DIALECT_VULKAN
                     ? row->binding
                     : row->slot + ssgi_gl__dialects[SSGI_GL_DIALECT_VULKAN].textures;
     in->target = in->array        ? SSGI_GL__TEXTURE_2D_ARRAY
@@ -7725,7 +7735,7 @@ static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc
     if (camera < 0 && !layer) return d;
     d.input.normal = SSGI_GL_NORMAL_SIGNED; /* Depth has normals of visible surfaces alone. */
     if (d.pass != SSGI_GL_PASS_LIGHTS) {    /* Nothing filters it. */
-        d.gather.half = SSGI_GL_HALF_NONE;
+        d.gather.resolution = SSGI_GL_RESOLUTION_FULL;
         d.light.restore = SSGI_GL_RESTORE_NONE;
     }
     if (camera < 0) return d;
@@ -7806,11 +7816,12 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
         if (chain->vpls) { /* Single points give just the falloff that virtual lights lack. */
             d.gather.falloff = SSGI_GL_FALLOFF_SQUARE;
             d.gather.fade = SSGI_GL_FADE_NONE;
-            d.gather.range = 0;
+            d.gather.range_check = 0;
             if (d.gather.search == SSGI_GL_SEARCH_POINTS) {
-                d.gather.samples = (d.gather.samples ? d.gather.samples : 16) * (d.gather.steps ? d.gather.steps : 1);
-                if (d.gather.samples > 64) d.gather.samples = 64;
-                d.gather.steps = 1;
+                d.gather.directions = d.gather.directions ? d.gather.directions : 16;
+                if (d.gather.samples) d.gather.directions *= d.gather.samples;
+                if (d.gather.directions > 64) d.gather.directions = 64;
+                d.gather.samples = 1;
             }
         }
         ssgi_gl__send(b, -1, 0, b->light < 0 ? SSGI_GL_RADIANCE_DIRECT : both);
@@ -7846,7 +7857,7 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
     if (chain->coefficients && chain->blur) {
         d.filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS;
         ssgi_gl__add(b, &d, SSGI_GL_PASS_BLUR, 0);
-        d.gather.half = SSGI_GL_HALF_NONE;
+        d.gather.resolution = SSGI_GL_RESOLUTION_FULL;
     }
     if (!d.light.shaded) ssgi_gl__add(b, &d, SSGI_GL_PASS_SHADE, 0);
     if (ssgi_gl__directions_alone(chain)) {
@@ -7861,7 +7872,7 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
    may read layers and cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {
-    if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__holds("slices", d))
+    if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__holds("by_slices", d))
         d->gather.thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
@@ -7878,8 +7889,8 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         slices.pass = lit ? SSGI_GL_PASS_SSDO : SSGI_GL_PASS_HSAO;
         slices.gather.search = SSGI_GL_SEARCH_SLICES;
         ssgi_gl__thickness(&slices);
-        if (!slices.gather.directions) slices.gather.directions = 2;
-        if (!slices.gather.steps) slices.gather.steps = 8;
+        if (!slices.gather.slices) slices.gather.slices = 2;
+        if (!slices.gather.samples) slices.gather.samples = 8;
         if (lit) slices.gather.falloff = SSGI_GL_FALLOFF_NONE; /* Light does not fade. */
         slices.light.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
         slices.light.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
@@ -7889,7 +7900,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         ssgi_gl__add(b, &slices, slices.pass, 0);
         if (bounce) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, "bounce");
     }
-    if (d.surfel.span && !d.gather.half) {
+    if (d.surfel.span && !d.gather.resolution) {
         slices.light.environment = SSGI_GL_ENVIRONMENT_NONE;
         slices.light.bounce = SSGI_GL_BOUNCE_NONE;
         slices.light.restore = SSGI_GL_RESTORE_NONE;
@@ -7900,14 +7911,15 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         ssgi_gl__add(b, &slices, SSGI_GL_PASS_BLUR, 0);
     }
     /* In half size one filter serves slices and surfels. */
-    d.light.restore = d.gather.half && effect == SSGI_GL_EFFECT_LIGHT ? SSGI_GL_RESTORE_RATIO : SSGI_GL_RESTORE_NONE;
-    ssgi_gl__add(b, &d, SSGI_GL_PASS_SPLAT, 0);
+    d.light.restore = d.gather.resolution && effect == SSGI_GL_EFFECT_LIGHT ? SSGI_GL_RESTORE_RATIO
+                                                                            : SSGI_GL_RESTORE_NONE;
+    ssgi_gl__add(b, &d, SSGI_GL_PASS_DSS, 0);
     ssgi_gl__add(b, &d, SSGI_GL_PASS_DEINTERLEAVE, 0);
     for (d.surfel.axis = 0; d.surfel.axis < 2 && d.surfel.levels != 1 && !b->chain->unsmoothed; ++d.surfel.axis)
         ssgi_gl__add(b, &d, SSGI_GL_PASS_SMOOTH, 0);
     d.surfel.axis = 0;
     light = ssgi_gl__add(b, &d, SSGI_GL_PASS_SUM, 0)->output[0].texture;
-    if (!d.gather.half) return light;
+    if (!d.gather.resolution) return light;
     *ssgi_gl__texture(b, lit ? "light" : "ao") = light;
     d.light.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
     d.light.environment = effect == SSGI_GL_EFFECT_LIGHT ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
@@ -7982,9 +7994,9 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
     if (chain->history && !chain->blur) return "chain.history: filters its average: needs blur = 1";
     if (chain->history && chain->coefficients && pass == SSGI_GL_PASS_S3HO)
         return "chain.history: averages light, not coefficients: needs coefficients = 0";
-    if (pass == SSGI_GL_PASS_S3HO && chain->desc.light.transfer && chain->desc.light.dimmed
+    if (pass == SSGI_GL_PASS_S3HO && chain->desc.light.transfer && chain->desc.light.occluded_emitters
         && (chain->desc.light.transfer != SSGI_GL_TRANSFER_BOTH || !chain->coefficients || !chain->blur))
-        return "chain.desc.light.dimmed: reads the last frame's filtered coefficients: needs "
+        return "chain.desc.light.occluded_emitters: reads the last frame's filtered coefficients: needs "
                "SSGI_GL_TRANSFER_BOTH, coefficients = 1 and blur = 1";
     if (ssgi_gl__directions_alone(chain)
         && (lit || chain->history || chain->desc.filter.onto || (chain->blur && !chain->coefficients)))
@@ -8015,7 +8027,7 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
     const ssgi_gl_desc *const d = &b->chain->desc;
     if (d->pass == SSGI_GL_PASS_SSDO) ssgi_gl__ssdo(b);
     else if (d->pass == SSGI_GL_PASS_S3HO) ssgi_gl__s3ho(b);
-    else if (d->pass == SSGI_GL_PASS_SPLAT) ssgi_gl__deep(b);
+    else if (d->pass == SSGI_GL_PASS_DSS) ssgi_gl__deep(b);
     else b->light = ssgi_gl__add(b, d, d->pass, 0)->output[0].texture;
     if (ssgi_gl__pass_of(d->pass)->chain == SSGI_GL__CHAIN_FILTERED) b->light = ssgi_gl__filter(b, d, "ao");
     if (!b->why && b->light < 0 && b->bounce < 0 && !b->picture)
@@ -8044,13 +8056,14 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
     if (own.desc.pass != SSGI_GL_PASS_S3HO) { /* fields of s3ho and shade that blur looks at, too */
         own.desc.light.transfer = SSGI_GL_TRANSFER_DIRECT;
         own.desc.light.shading = SSGI_GL_SHADING_HARMONICS;
-        own.desc.light.shaded = own.desc.light.lights = 0;
+        own.desc.light.shaded = own.desc.light.harmonic_lights = 0;
     }
     ssgi_gl__thickness(&own.desc);
     /* Four frames bring all pixels of a 2x2, sixteen all of a 4x4. */
-    if (own.history && own.desc.gather.half)
-        own.desc.gather.half = own.desc.gather.half < SSGI_GL_HALF_QUARTER ? SSGI_GL_HALF_IN_TURN
-                                                                           : SSGI_GL_HALF_QUARTER_IN_TURN;
+    if (own.history && own.desc.gather.resolution)
+        own.desc.gather.resolution = own.desc.gather.resolution < SSGI_GL_RESOLUTION_QUARTER
+                                       ? SSGI_GL_RESOLUTION_HALF_IN_TURN
+                                       : SSGI_GL_RESOLUTION_QUARTER_IN_TURN;
     /* The default of blur is 4. */
     if (own.desc.pass == SSGI_GL_PASS_SSDO && !own.desc.light.bands) own.desc.light.bands = 3;
     /* The first turn checks all, the second writes. */
@@ -8101,9 +8114,9 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
     { "hsao-best", "HSAO at full size, with more taps.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BEST, "" },
     { "hsao-quarter", "HSAO at a quarter of the size, for weak GPUs.",
-      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "half=QUARTER,directions=2,steps=8,filter_radius=1" },
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "resolution=QUARTER,slices=2,samples=8,filter_radius=1" },
     { "hsao-history", "HSAO averaged over frames: one slice of many taps. It needs the last frame's matrices.",
-      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "history=1,directions=1,steps=12,filter_radius=1" },
+      SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "history=1,slices=1,samples=12,filter_radius=1" },
     { "hsao-march", "The paper's march and normal rays, for depth layers and extra cameras.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "search=MARCH" },
     { "ssao", "Ambient occlusion by points in the hemisphere, to compare with.",
@@ -8120,38 +8133,39 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
     { "s3ho", "Occlusion as spherical harmonics, dotted with those of light, and one bounce. It needs albedo and "
       "frame.harmonics.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED,
-      "shaded=1,residual=1,transfer=BOTH,packed=1,restore=DIFFERENCE,filter_radius=2" },
+      "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE,filter_radius=2" },
     { "s3ho-fast", "S3HO with fewer taps.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_FAST,
-      "shaded=1,residual=1,transfer=BOTH,packed=1,restore=DIFFERENCE,filter_radius=2" },
+      "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE,filter_radius=2" },
     { "s3ho-best", "S3HO at full size, with more taps.",
-      SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BEST, "shaded=1,residual=1,transfer=BOTH,packed=1,restore=DIFFERENCE" },
+      SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BEST,
+      "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE" },
     { "s3ho-points", "S3HO by the paper's points along directions, for depth layers and extra cameras.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED,
-      "search=POINTS,shaded=1,residual=1,transfer=BOTH,packed=1,restore=DIFFERENCE" },
+      "search=POINTS,shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE" },
     { "ssbn", "Bent normals and cones, looked up in an environment that is filtered beforehand.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED, "bands=2,shading=BENT_CONE,restore=RATIO" },
     { "ssbn-points", "Bent normals and cones by points along directions.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED, "search=POINTS,bands=2,shading=BENT_CONE,restore=RATIO" },
     { "dss", "Deep screen space: surfels of all triangles, seen or not, occlude, and near ones by slices. It needs "
       "triangles.",
-      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BALANCED, "span=6" },
+      SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BALANCED, "span=6" },
     { "dss-fast", "Deep screen space at a quarter of the size.",
-      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_FAST, "span=6" },
+      SSGI_GL_PASS_DSS, SSGI_GL_PRESET_FAST, "span=6" },
     { "dss-best", "Deep screen space at full size.",
-      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BEST, "span=6" },
+      SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST, "span=6" },
     { "dss-lit", "Deep screen space as directional occlusion of an environment and of lights with shadow maps, and one "
       "bounce. It needs triangles with colours, albedo, lights and an environment map.",
-      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BALANCED,
+      SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BALANCED,
       "span=6,effect=LIGHT,environment=MAP,bounce=SOLID_ANGLE,surfels=1,sends=LIGHTS,shadow=MAP,lights.shadow=MAP" },
     { "dss-gloss", "The specular bounce of light that surfels send. It needs what dss-lit needs.",
-      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BEST,
+      SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST,
       "effect=SPECULAR,levels=5,near_samples=4,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
     { "dss-scatter", "Light that scatters under surfaces. It needs what dss-lit needs.",
-      SSGI_GL_PASS_SPLAT, SSGI_GL_PRESET_BEST,
+      SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST,
       "effect=SCATTER,levels=7,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
     { "aof", "Occlusion between rigid objects, from fields that ssgi_field_bake makes of each.",
-      SSGI_GL_PASS_FIELD, SSGI_GL_PRESET_BALANCED, "" }
+      SSGI_GL_PASS_AOF, SSGI_GL_PRESET_BALANCED, "" }
 };
 
 /* What a name begins with, other words for it, and the sentence on an unknown name that is nearest to these. */
@@ -8267,7 +8281,7 @@ static const char *ssgi_gl__set(ssgi_gl_chain *chain, const char *item, size_t l
     size_t n = 0;
     int edits, own;
     while (n < length && item[n] != '=') ++n;
-    if (n == length) return "name: must be NAME[,PRESET][,FIELD=VALUE]..: hsao,best,steps=9";
+    if (n == length) return "name: must be NAME[,PRESET][,FIELD=VALUE]..: hsao,best,samples=9";
     const char *const value = item + n + 1;
     const size_t value_length = length - n - 1;
     const int of_lights = n > PREFIX && ssgi_gl__same(lights, item, PREFIX);
@@ -8534,7 +8548,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain 
         const char *when;
         float limit;
     } limits[] = { { "pass == SSAO", 1.0f },
-                   { "marches", 0.5f },
+                   { "by_march", 0.5f },
                    { "(pass == SSDO || pass == S3HO) && search == POINTS", 0.7f },
                    { "pass == SSDO || pass == S3HO", 0.4f },
                    { NULL, 0.6f } };
@@ -8594,7 +8608,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
     frame->last_size[0] = view->width;
     frame->last_size[1] = view->height;
     frame->last_footprint = (float)wider;
-    frame->history = 16.0f;
+    frame->history_frames = 16.0f;
     return SSGI_OK;
 }
 
@@ -8605,7 +8619,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, floa
     SSGI_GL__CHECK(ssgi_gl__above(elapsed), "elapsed: must be > 0 and finite");
     SSGI_GL__CHECK(ssgi_gl__above(last), "last: must be > 0 and finite");
     const double frames = (double)memory / (double)elapsed, pace = (double)last / (double)elapsed;
-    frame->history = (float)(frames < 1.0 ? 1.0 : frames > 1024.0 ? 1024.0 : frames);
+    frame->history_frames = (float)(frames < 1.0 ? 1.0 : frames > 1024.0 ? 1024.0 : frames);
     frame->pace = (float)(pace > 1e6 ? 1e6 : pace < 1e-6 ? 1e-6 : pace);
     return SSGI_OK;
 }

@@ -188,7 +188,7 @@ static ssgi_gl_step step_of(const kit_pass *p)
 {
     ssgi_gl_step s = *p->step;
     s.desc = p->desc;
-    s.desc.text.dialect = SSGI_GL_DIALECT_VULKAN;
+    s.desc.shader.dialect = SSGI_GL_DIALECT_VULKAN;
     for (int k = 0; k < s.outputs; ++k) s.output[k].texture = number_of(all.made, written(p, k));
     for (int k = 0; k < s.inputs; ++k) {
         if (s.input[k].meaning >= 0) continue;
@@ -299,7 +299,7 @@ static int put_frames(FILE *f, const options *o, const kit_method *method, const
                       const kit_lighting *light, kit_error *err)
 {
     const kit_world world = { scene, light };
-    const int again = method->set.reuse || method->set.dimmed;
+    const int again = method->set.reuse || method->set.occluded_emitters;
     kit_gbuffer seen[2] = { { 0 } };
     kit_frames frames = { 0 };
     int failed = 0;

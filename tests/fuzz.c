@@ -66,7 +66,7 @@ static void restored(const ssgi_gl_step *step, int i)
             MUST(!blur.light.restore
                  || (map == (wrote.light.environment == SSGI_GL_ENVIRONMENT_MAP)
                      && blur.light.shading == wrote.light.shading && blur.light.residual == wrote.light.residual
-                     && blur.light.lights == wrote.light.lights && (map || blur.light.bands == wrote.light.bands)));
+                     && blur.light.harmonic_lights == wrote.light.harmonic_lights && (map || blur.light.bands == wrote.light.bands)));
             return;
         }
 }
@@ -79,7 +79,7 @@ static void fill(ssgi_gl_desc *d, const uint8_t *data)
         const int value = data[i];
         memcpy((char *)d + ssgi_gl__fields[i].choice.offset, &value, sizeof value);
     }
-    d->text.fetch = " ";
+    d->shader.fetch = " ";
 }
 
 /* A chain of two descs and flags: either refused with a sentence, or every step can be drawn and there is one result:
@@ -109,7 +109,7 @@ static void chains(const uint8_t *data)
         MUST(ssgi_gl_check(&step[i].desc, NULL) == SSGI_OK && step[i].width > 0 && step[i].height > 0);
         if (room == n) inputs(step, n, i);
         /* surfels multiply by what slices keep of light: nothing is put back */
-        if (room == n && chain.desc.pass != SSGI_GL_PASS_SPLAT) restored(step, i);
+        if (room == n && chain.desc.pass != SSGI_GL_PASS_DSS) restored(step, i);
         for (int k = 0; k < step[i].outputs; ++k) {
             const ssgi_gl_output *o = &step[i].output[k];
             MUST(o->format ? o->texture >= 0 : o->texture == -1 && i == n - 1);
@@ -143,8 +143,8 @@ static void descs(const uint8_t *data, size_t size)
     if (size > (size_t)FIELDS + 2) {
         memcpy(version, data + FIELDS, size - FIELDS < CODE ? size - FIELDS : CODE);
         memcpy(fetch, data + size - (size < CODE ? size : CODE), size < CODE ? size : CODE);
-        if (data[FIELDS] & 1) d.text.version = version;
-        if (data[FIELDS] & 2) d.text.fetch = fetch;
+        if (data[FIELDS] & 1) d.shader.version = version;
+        if (data[FIELDS] & 2) d.shader.fetch = fetch;
     }
     ssgi_gl_desc tuned = d;
     if (ssgi_gl_preset(&tuned, (int)(sum % 4), NULL) == SSGI_OK) MUST(ssgi_gl_check(&tuned, NULL) == SSGI_OK);
@@ -402,7 +402,7 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
                        count / 4, NULL) != SSGI_OK)
         abort();
     if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK)
-        MUST(plan.method >= SSGI_PLAN_METHOD_NOTHING && plan.method <= SSGI_PLAN_METHOD_FIELD && !isnan(plan.error)
+        MUST(plan.method >= SSGI_PLAN_METHOD_NOTHING && plan.method <= SSGI_PLAN_METHOD_AOF && !isnan(plan.error)
              && plan.cost >= 0.0f && plan.levels <= SSGI_SPLAT_LEVELS && strlen(plan.why) > 8
              && strlen(plan.why) < sizeof plan.why - 1);
     else MUST(!strncmp(why, "scene.", 6) && !memcmp(&plan, &was, sizeof plan));
@@ -472,8 +472,8 @@ static uint8_t legal(size_t field, uint32_t *state)
 static void random_chain(uint8_t bytes[CHAIN], uint32_t *state)
 {
     static const uint8_t passes[] = { SSGI_GL_PASS_SSAO,  SSGI_GL_PASS_HSAO, SSGI_GL_PASS_SSDO, SSGI_GL_PASS_SSDO,
-                                      SSGI_GL_PASS_SSDO,  SSGI_GL_PASS_S3HO, SSGI_GL_PASS_S3HO, SSGI_GL_PASS_FIELD,
-                                      SSGI_GL_PASS_SPLAT, SSGI_GL_PASS_SPLAT };
+                                      SSGI_GL_PASS_SSDO,  SSGI_GL_PASS_S3HO, SSGI_GL_PASS_S3HO, SSGI_GL_PASS_AOF,
+                                      SSGI_GL_PASS_DSS, SSGI_GL_PASS_DSS };
     for (size_t k = 0; k < 2 * FIELDS; ++k) bytes[k] = next(state) % 3 ? 0 : legal(k % FIELDS, state);
     bytes[0] = passes[next(state) % sizeof passes];        /* pass is the first field */
     bytes[FIELDS] = next(state) % 2 ? SSGI_GL_PASS_LIGHTS : 0;

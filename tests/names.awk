@@ -1,7 +1,7 @@
 # Names in the headers' comments and in README.md that the headers do not have; status 1 if there are any.
 #    awk -f tests/names.awk ssgi.h ssgi_gl.h look=1 ssgi.h ssgi_gl.h README.md
 # The first reading collects identifiers, members of structs, and passes. The second one looks at comments, those in
-# GLSL, too: at ssgi_*, SSGI_*, paths as desc.gather.steps, headings of groups, and the word that follows "pass".
+# GLSL, too: at ssgi_*, SSGI_*, paths as desc.gather.samples, headings of groups, and the word that follows "pass".
 
 BEGIN {
     split("a alone and are around as before between chain does draws ignore in is looks names of reads tell that turn use which " \

@@ -28,8 +28,8 @@ int main(void)
             ssgi_gl_desc d = { 0 };
             ssgi_gl_chain chain = { 0 };
             d.pass = pass;
-            d.text.dialect = SSGI_GL_DIALECT_450;
-            d.gather.half = k & 1;
+            d.shader.dialect = SSGI_GL_DIALECT_450;
+            d.gather.resolution = k & 1;
             d.gather.thickness = k & 1 ? SSGI_GL_THICKNESS_SLABS : SSGI_GL_THICKNESS_DEFAULT;
             d.surfel.tessellate = k >> 1 & 1;
             d.gather.search = !(k & 4)                  ? SSGI_GL_SEARCH_SLICES
@@ -48,7 +48,7 @@ int main(void)
             printf("%s %d: %llx", ssgi_gl_pass_name(pass), k, (unsigned long long)ssgi_gl_key(&d));
             print_steps(&chain);
             ssgi_gl_preset(&d, SSGI_GL_PRESET_FAST, NULL);
-            printf("; %d %d %d %d\n", d.gather.half, d.gather.steps, d.gather.directions, d.gather.samples);
+            printf("; %d %d %d %d\n", d.gather.resolution, d.gather.samples, d.gather.slices, d.gather.directions);
         }
     return 0;
 }

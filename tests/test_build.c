@@ -81,7 +81,7 @@ static void names(void)
 {
     static const char *const stale[][2] = {
         { "desc\\.filter\\.quantity: the", "desc.quantity: the" }, { "desc->input\\.cap_table", "desc->cap_table" },
-        { "desc->text\\.dialect", "desc->dialect" },              { "_desc\\.surfel\\.overhang", "_desc.overhang" },
+        { "desc->shader\\.dialect", "desc->dialect" },              { "_desc\\.surfel\\.overhang", "_desc.overhang" },
         { "---- desc\\.filter:", "---- desc.filter.kind:" },      { "passes thickness and", "passes (but width," },
         { "ssgi_gl_step\\.width", "ssgi_gl_step.viewport" },       { "SSGI_THICKNESS_SLABS for", "SSGI_SLABS for" },
         { "ssgi_gl_frame_history except", "ssgi_gl_history except" }

@@ -39,7 +39,7 @@ static float half_value(uint32_t h)
 static float *coefficients_new(const kit_run *run, int pass)
 {
     const kit_pass *p = &run->pass[pass];
-    const size_t texels = (size_t)p->width * (size_t)p->height, per = p->desc.light.packed ? 8 : 4;
+    const size_t texels = (size_t)p->width * (size_t)p->height, per = p->desc.light.packed_coefficients ? 8 : 4;
     float *out = malloc(16 * texels * sizeof *out), *texel = malloc(4 * texels * sizeof *texel);
     int ok = out && texel;
     for (size_t t = 0; t < 16 / per && ok; ++t) {
@@ -152,12 +152,12 @@ static void walls_block(void)
                 { "", { 0.1, 9, 1, whole } },
                 { "", { 0.5, 9, 1, whole } },
                 { "sets=16", { 0.25, 9, 1, whole } },
-                { "steps=4", { 0.25, 9, 4, whole } },
-                { "layers=2,steps=4", { 0.25, 0.35, 4, whole } },
+                { "samples=4", { 0.25, 9, 4, whole } },
+                { "layers=2,samples=4", { 0.25, 0.35, 4, whole } },
                 { "fade=smooth,fade_from=0.5", { 0.25, 9, 1, smooth } },
                 { "fade=lambda,lambda=2", { 0.25, 9, 1, lambda } },
                 { "fade=lambda,lambda=2,layers=2", { 0.25, 0.35, 1, lambda } },
-                { "range=1", { 0.25, 9, 1, within } } };
+                { "range_check=1", { 0.25, 9, 1, within } } };
     static const double up[3] = { 0, 0, 1 }, right[3] = { 1, 0, 0 };
     double v[16], found[16], worst = 0;
     wall_vector(v, &row[0].w, up, right);
@@ -170,7 +170,7 @@ static void walls_block(void)
         kit_gbuffer g;
         kit_run run;
         char set[128];
-        snprintf(set, sizeof set, "indirect=none,filtered=coefficients,store=float,thickness=solid,samples=64,%s",
+        snprintf(set, sizeof set, "indirect=none,filtered=coefficients,store=float,thickness=solid,directions=64,%s",
                  row[m].set);
         corner_planes(plane, w->c, 0);
         for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
@@ -213,7 +213,7 @@ static void slices_know_directions(void)
     for (int m = 0; m < ROWS(row); ++m) {
         kit_run run;
         char set[128];
-        snprintf(set, sizeof set, "directions=2,%s", row[m].set);
+        snprintf(set, sizeof set, "slices=2,%s", row[m].set);
         if (!begin(&run, &g[0], row[m].method, set, 1, NULL, &white)) return;
         for (int k = 0; k < 4; ++k) {
             const int down = k & 1, row_ = down ? HIGH - 1 - row_at(w.c) : row_at(w.c);
@@ -261,7 +261,7 @@ static void walls_reflect(void)
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "thickness=solid,samples=64,fade=lambda,lambda=2,%s", sets[m]);
+        snprintf(set, sizeof set, "thickness=solid,directions=64,fade=lambda,lambda=2,%s", sets[m]);
         if (!begin(&run, &g, "s3ho-points", set, 1, NULL, &dark)) return;
         ssgi_gl_harmonics_set(&run.frame, light, 4, NULL, NULL);
         int last = 0;                                   /* what draws the bounce */
@@ -332,8 +332,8 @@ static void emitters_are_dimmed(void)
         kit_run run;
         for (int k = 0, pass; k < 6; ++k) {
             char set[96];
-            snprintf(set, sizeof set, "indirect=%s,store=packed,filtered=coefficients,blur=1,dimmed=%d,%s",
-                     k == 1 ? "none" : "joint", k > 1, m ? "steps=6" : "samples=8");
+            snprintf(set, sizeof set, "indirect=%s,store=packed,filtered=coefficients,blur=1,occluded_emitters=%d,%s",
+                     k == 1 ? "none" : "joint", k > 1, m ? "samples=6" : "directions=8");
             if (k < 3 && !begin(&run, &g, methods[m], set, 1, NULL, &dark)) return;
             for (pass = 0; run.pass[pass].desc.pass != SSGI_GL_PASS_S3HO; ++pass) {}
             const int passes = run.passes;
@@ -362,10 +362,10 @@ static void emitters_are_dimmed(void)
 static void filtered_sets_are_left(void)
 {
     const ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_PASS_S3HO,
-                                            .gather.half = 1,
-                                            .light.packed = 1,
+                                            .gather.resolution = 1,
+                                            .light.packed_coefficients = 1,
                                             .light.transfer = SSGI_GL_TRANSFER_BOTH,
-                                            .light.dimmed = 1 },
+                                            .light.occluded_emitters = 1 },
                                   .width = 64,
                                   .height = 48,
                                   .blur = 1,
@@ -560,12 +560,12 @@ static void compare(int ridges)
         { { points, points }, "restore=none," set ",filtered=", { "light", "coefficients" }, seen, UNDER_SKY, WORST, \
           0, most }
         ORDER("store=float,indirect=none,blur=2", light_of, 1e-5),
-        ORDER("store=float,indirect=none,blur=1,half=1", light_of, 1e-4), /* far off the plane weights are not 0 */
+        ORDER("store=float,indirect=none,blur=1,resolution=half", light_of, 1e-4), /* far off the plane weights are not 0 */
         ORDER("store=float,indirect=none,blur=3,filter=gaussian", light_of, 1e-5),
         ORDER("store=float,indirect=none,blur=1,filter_normals=1", light_of, 1e-5),
         ORDER("store=packed,indirect=joint,blur=1", light_of, 2e-3),
         ORDER("store=packed,indirect=joint,blur=1", bounce, 0.12),
-        ORDER("store=packed,indirect=apart,blur=1,half=1", bounce, 0.03),
+        ORDER("store=packed,indirect=apart,blur=1,resolution=half", bounce, 0.03),
 #define STORES(set, a, b, most) \
         { { points, points }, "filtered=coefficients," set ",store=", { a, b }, light_of, UNDER_SKY, WORST, 1e-9, most }
         STORES("indirect=none,bands=4", "float", "half", 1.5e-3),
@@ -573,15 +573,15 @@ static void compare(int ridges)
         STORES("indirect=none,bands=3", "float", "packed", 5e-4),
         STORES("indirect=apart,bands=2", "half", "packed", 1.5e-3),
         STORES("indirect=apart,bands=1", "float", "half", 8e-4),
-        { { "s3ho", "s3ho" }, "residual=1,bands=1,blur=1,half=1,indirect=", { "joint", "apart" }, bounce, BY_LAMP,
+        { { "s3ho", "s3ho" }, "residual=1,bands=1,blur=1,resolution=half,indirect=", { "joint", "apart" }, bounce, BY_LAMP,
           MEANS, 0, 0.05 },
 #define RESTORES(stage, how) \
-        { { "s3ho", "s3ho" }, "residual=1,blur=1,half=1,indirect=apart,restore=", { "none", how }, bounce, stage, \
+        { { "s3ho", "s3ho" }, "residual=1,blur=1,resolution=half,indirect=apart,restore=", { "none", how }, bounce, stage, \
           RMSE, 0, 1e-3 }
         RESTORES(BY_LAMP, "ratio"), RESTORES(AMONG_COLUMNS, "difference"),
         { { "hsao", "hsao" }, "left_handed=", { "0", "1" }, "Y", UNDER_SKY, WORST, 0, 0 },
 #define CREASE(method, set, half, stage, least, most) \
-        { { method, method }, set, { ",blur=1,steps=4,half=" half, ",blur=0,half=0,restore=none" }, light_of, stage, \
+        { { method, method }, set, { ",blur=1,samples=4,resolution=" half, ",blur=0,resolution=full,restore=none" }, light_of, stage, \
           RMSE, least, most }
         CREASE("ssdo", "bounce=none", "1", RIDGE, 0, 0.003),
         CREASE("ssdo", "bounce=none,environment=sh", "1", RIDGE, 0, 0.003),
@@ -735,7 +735,7 @@ static void bent_normals_bend(void)
         wall_vector(v, &walls[m], plane[0], along);
         if (!slab(&g, walls[m].c, 9, 0, 1)
             || !begin(&run, &g, "ssbn-points",
-                      "filtered=coefficients,store=float,thickness=solid,noise=texture,blur=4,samples=64", 1, NULL, &l)
+                      "filtered=coefficients,store=float,thickness=solid,noise=texture,blur=4,directions=64", 1, NULL, &l)
             || !strip_mean(light, &run, &g, row_at(walls[m].c), 4, 2, 1) || !show_bent(&run)
             || !strip(texel, &run, row_at(walls[m].c), 2, 1))
             return;
@@ -793,7 +793,7 @@ static void light_varies(void)
             hook(text, sizeof text, light, row[m].bands * row[m].bands, 2);
             for (int i = 0; i < run.passes && own; ++i) {
                 run.pass[i].desc.light.harmonics = SSGI_GL_HARMONICS_CUSTOM;
-                run.pass[i].desc.text.fetch = text;
+                run.pass[i].desc.shader.fetch = text;
                 if (!remade(&run, i)) return;
             }
             if (!drawn(&out[own], &run)) return;

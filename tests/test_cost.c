@@ -177,7 +177,7 @@ static void shares_recorded(void)
     };
     const csv shares = { NULL, cells, 6, 6 };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        const ssgi_gl_desc d = { .gather.half = cases[i].half, .gather.steps = cases[i].steps };
+        const ssgi_gl_desc d = { .gather.resolution = cases[i].half, .gather.samples = cases[i].steps };
         const double share = share_recorded(&shares, cases[i].body, &d, &tiles[cases[i].tile]);
         CHECK(share == cases[i].share, "case %zu: %g, not %g", i, share, cases[i].share);
     }
@@ -205,7 +205,7 @@ static void texts_have_bodies(void)
                       .gather.thickness = SSGI_GL_THICKNESS_SLABS },
                     3,
                     { COVER, SECOND, SENT } },
-                  { { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed = 1 },
+                  { { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed_coefficients = 1 },
                     2,
                     { COVER, SENT } },
                   { { .pass = SSGI_GL_PASS_HISTORY }, 1, { UNSETTLED } },

@@ -39,15 +39,15 @@ static void light_is_followed(void)
     kit_run run;
     double worst = 0;
     if (!lighten(&white, "white", NULL) || !walls(&g, &frame, &c, plane, 1, "")
-        || !begin(&run, &g, "ssdo", "environment=sh,bands=1,bounce=none,history=1,restore=none,blur=1,directions=1,"
-                  "steps=4", 0.3f, NULL, &white))
+        || !begin(&run, &g, "ssdo", "environment=sh,bands=1,bounce=none,history=1,restore=none,blur=1,slices=1,"
+                  "samples=4", 0.3f, NULL, &white))
         return;
     for (int i = 0; i < ROWS(row); ++i) {
         double mean_ = 0, quick = 0, frames = 0, v = row[i].from;
         for (unsigned t = 0; t < FRAMES; ++t) {
             kit_image out;
             v = t == 12 ? row[i].to : v * row[i].by;
-            if (!t) run.frame.history = 0;
+            if (!t) run.frame.history_frames = 0;
             else if (!TRY(kit_run_follow(&run, &run, t, &err))) return;
             /* from five frames on the filter takes five texels in place of nine, and is taken to know less */
             const double now = row[i].uneven ? took[t % 5] : 1, last = row[i].uneven ? took[(t + 4) % 5] : 1;
@@ -172,7 +172,7 @@ static void frames_are_counted(void)
         const double plane[1][4] = { { 0, 0, 1, -4 - (double)row[i].away } };
         static sequence s;
         static float kept[W * H], expected[W * H];
-        if (!begin_frames(&s, "half=0,directions=1,steps=33,blur=1,history=1")) return;
+        if (!begin_frames(&s, "resolution=full,slices=1,samples=33,blur=1,history=1")) return;
         for (int t = 0; t < FRAMES; ++t) {
             const int *const size = sizes[row[i].resized * t % 4], *const was = sizes[row[i].resized * (t + 3) % 4];
             kit_camera c = looking_along_z(size[0], size[1], 1);
@@ -222,7 +222,7 @@ static void nothing_trails(void)
     const kit_camera c = looking_along_z(W, H, 1);         /* 2 units high: a radius of 0.3 is 8.1 pixels */
     static sequence s;
     double behind[3] = { 1, 1, 1 }, beside = 1;
-    if (!begin_frames(&s, "half=0,directions=4,steps=33,blur=1,history=1")) return;
+    if (!begin_frames(&s, "resolution=full,slices=4,samples=33,blur=1,history=1")) return;
     for (int t = 0; t < FRAMES; ++t) {
         kit_image frame, out;
         const int left = STEP * t;
@@ -251,7 +251,7 @@ static void little_is_forgotten(void)
     kit_scene scene;
     double frames = 0;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))
-        || !begin_frames(&s, "half=0,directions=1,steps=33,blur=1,history=1"))
+        || !begin_frames(&s, "resolution=full,slices=1,samples=33,blur=1,history=1"))
         return;
     const kit_world world = { &scene, NULL };
     scene.camera.width = W;
@@ -292,12 +292,12 @@ static void history_is_quiet(void)
 {
     enum { FIRST = 100 };                                  /* frame of the second sixteen */
     static const struct { const char *method, *set; double alone, kept; } kept[] = {
-        { "hsao-fast", "history=1", 0.027, 0.012 }, { "hsao", "half=0,history=1", 0.015, 0.0026 },
-        { "hsao-fast", "half=quarter,directions=2,history=1", 0.036, 0.013 },
-        { "ssdo-fast", "steps=6,history=1", 0.0165, 0.0088 },
+        { "hsao-fast", "history=1", 0.027, 0.012 }, { "hsao", "resolution=full,history=1", 0.015, 0.0026 },
+        { "hsao-fast", "resolution=quarter,slices=2,history=1", 0.036, 0.013 },
+        { "ssdo-fast", "samples=6,history=1", 0.0165, 0.0088 },
         { "s3ho-fast", "history=1", 0.0175, 0.01 },
         { "hsao-fast", "thickness=slabs,history=1", 0.0275, 0.0123 },
-        { "hsao-march", "views=1,directions=2,steps=4,history=1", 0.028, 0.0058 } };
+        { "hsao-march", "views=1,directions=2,samples=4,history=1", 0.028, 0.0058 } };
     kit_lighting lighting = { .lights = 0 };
     kit_scene scene;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "sky", &err))) return;
@@ -316,7 +316,7 @@ static void history_is_quiet(void)
         noise[1] = difference(&last[0], &last[1]);
         SHOW(noise[0] > 0.003 && noise[0] < kept[i].alone && noise[1] < kept[i].kept,
              "%s %s: noise of %.4f becomes %.4f", kept[i].method, kept[i].set, noise[0], noise[1]);
-        run.frame.history = 0;
+        run.frame.history_frames = 0;
         run.frame.phase = 0;
         kit_run_update(&run);
         kit_run_draw(&run, 0);
@@ -398,7 +398,7 @@ static void hostile_history(void)
             const char *const of = poison[i].name ? poison[i].name : grey ? "t_ssgi_ao" : "t_ssgi_light";
             const unsigned last = BEFORE + poison[i].frames + AFTER;
             int bad = 0;
-            run.frame.history = 0;
+            run.frame.history_frames = 0;
             run.frame.phase = 0;
             kit_run_update(&run);
             kit_run_draw(&run, 0);
@@ -461,13 +461,13 @@ static void last_frames(void)
     other.shift[0] = 0.3f;
     kit_camera_matrices(&c, now, projection);
     if (!view_of(&view, &c, 0)) return;
-    CHECK(ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK && !(frame.history > 0), "the first has a last one");
+    CHECK(ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK && !(frame.history_frames > 0), "the first has a last one");
     for (int k = 0; k < ROWS(sizes); ++k) {
         other.width = sizes[k].width;
         other.height = sizes[k].height;
         kit_camera_matrices(&other, then, projection);
         CHECK(view_of(&last, &other, 0) && ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_OK
-                  && frame.history > 1 && (int)frame.last_size[0] == other.width
+                  && frame.history_frames > 1 && (int)frame.last_size[0] == other.width
                   && (int)frame.last_size[1] == other.height
                   && fabs((double)frame.last_footprint / sizes[k].footprint - 1) < 1e-5,
               "of another size: %s; %d x %d, pixels %.6f times as wide", why, (int)frame.last_size[0],
@@ -509,7 +509,7 @@ static void last_frames(void)
                   && !strncmp(why, named[i], strlen(named[i])),
               "a bad time: %s", why);
     CHECK(!memcmp(&frame, &was, sizeof frame), "what is refused changes the frame");
-    CHECK(ssgi_gl_frame_time(&frame, 1e-30f, 1e18f, 1e-30f, &why) == SSGI_OK && frame.pace > 0 && frame.history >= 1,
+    CHECK(ssgi_gl_frame_time(&frame, 1e-30f, 1e18f, 1e-30f, &why) == SSGI_OK && frame.pace > 0 && frame.history_frames >= 1,
           "a frame that took for ever: pace %g", (double)frame.pace);
 }
 

@@ -110,7 +110,7 @@ static int code_named(const char *name, size_t n, int before)      /* the last o
     return -1;
 }
 
-/* Marks what is named; every name must be an entry before this one, a row, a function of desc.text.fetch, or a varying
+/* Marks what is named; every name must be an entry before this one, a row, a function of desc.shader.fetch, or a varying
    that this one declares. */
 static void names(void)
 {
@@ -283,7 +283,7 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
 /* What other languages go by: the tables leave nothing of the structs out, and what zeros mean gives the same text. */
 static void reflection(void)
 {
-    const size_t ints = offsetof(ssgi_gl_desc, text.version) / sizeof(int);
+    const size_t ints = offsetof(ssgi_gl_desc, shader.version) / sizeof(int);
     const ssgi_gl_choice *c, *k;
     char seen[sizeof(ssgi_gl_desc) / sizeof(int)] = { 0 };
     size_t count = 0, end[2] = { 0, 0 };
@@ -312,7 +312,7 @@ static void reflection(void)
                 memset(&d, 0, sizeof d);
                 d.pass = pass;
                 d.light.environment = pass == SSGI_GL_PASS_SSDO ? SSGI_GL_ENVIRONMENT_SH : 0;
-                d.text.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }";
+                d.shader.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }";
                 set(&d, k, k->most);
                 set(&d, c, c->most);
                 if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;
@@ -339,7 +339,7 @@ static ssgi_gl_desc any_desc(int pass)
             if (!t_below(3)) set(&d, c, (int)t_below((uint32_t)(c->most < 8 ? c->most : 8) + 1));
         }
         d.pass = (ssgi_gl_pass)pass;
-        d.text.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }";
+        d.shader.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }";
         if (ssgi_gl_check(&d, NULL) == SSGI_OK) return d;
     }
 }
@@ -381,7 +381,7 @@ static void fields_have_their_passes(void)
 {
     for (int i = 1; i < SSGI_GL__FIELDS; ++i) {
         const ssgi_gl__field *const f = &ssgi_gl__fields[i];
-        int told = f->looks || !strncmp(f->choice.field, "input.", 6) || !strncmp(f->choice.field, "text.", 5);
+        int told = f->looks || !strncmp(f->choice.field, "input.", 6) || !strncmp(f->choice.field, "shader.", 7);
         int seen = 0;
         for (int k = 0; k < SSGI_GL__RULES; ++k) told |= ssgi_gl__rules[k].field == f->choice.offset;
         CHECK(told, "desc.%s: its row in ssgi_gl__fields (ssgi_gl.h, >>desc) does not say which passes look at it",

@@ -60,8 +60,8 @@ static void furnace(void)
     static const struct { const char *method, *scene, *set; int kind;
     } row[] = { { "ssdo-points", "room", "reuse=1,two_sided=1", EXACT },
                 { "ssdo-points", "room", "reuse=1,two_sided=1,environment=sh", EXACT },
-                { "ssdo-points", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
-                { "ssdo-points", "room", "reuse=1,two_sided=1,uniform=1,sets=16,noise=texture", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=1,fade=smooth,samples=2", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=1,uniform_directions=1,sets=16,noise=texture", EXACT },
                 { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=2,views=2,view_size=64", EXACT },
                 { "ssdo-points", "columns",
                   "reuse=1,two_sided=1,layers=3,views=2,view_size=64,view_layers=2,thickness=solid", EXACT },
@@ -71,8 +71,8 @@ static void furnace(void)
                 { "ssdo-points", "columns", "two_sided=1,layers=2,views=2,view_size=64", TWICE },
                 { "s3ho-points", "room", "two_sided=1,bands=1", EXACT },
                 { "s3ho-points", "room", "two_sided=1,bands=2", EXACT },
-                { "s3ho-points", "room", "two_sided=1,bands=2,uniform=1", EXACT },
-                { "s3ho-points", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range=1,steps=2", EXACT },
+                { "s3ho-points", "room", "two_sided=1,bands=2,uniform_directions=1", EXACT },
+                { "s3ho-points", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range_check=1,samples=2", EXACT },
                 { "s3ho-points", "columns", "two_sided=1,layers=2,views=2,view_size=64", EXACT },
                 { "s3ho-points", "room", "two_sided=0", ONE_SIDED },
                 { "s3ho-points", "room", "two_sided=1,indirect=apart", TWICE },
@@ -80,17 +80,17 @@ static void furnace(void)
                 { "s3ho-points", "room", "two_sided=1,filtered=coefficients", HALVES },
                 { "s3ho-points", "columns", "two_sided=1,filtered=coefficients,bands=3,blur=1", HALVES },
                 { "ssdo", "room", "reuse=1,two_sided=1", EXACT },
-                { "ssdo", "room", "reuse=1,two_sided=1,environment=sh,directions=3,falloff=square", EXACT },
+                { "ssdo", "room", "reuse=1,two_sided=1,environment=sh,slices=3,falloff=square", EXACT },
                 { "ssdo", "columns", "reuse=1,two_sided=1,thickness=back", EXACT },
                 { "ssdo", "columns", "reuse=1,two_sided=1,thickness=slabs", ONE_SIDED },
                 { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED },
-                { "ssdo", "room", "reuse=1,two_sided=1,half=1,blur=1,filter_normals=1", EXACT },
+                { "ssdo", "room", "reuse=1,two_sided=1,resolution=half,blur=1,filter_normals=1", EXACT },
                 { "s3ho", "room", "two_sided=1,bands=1", EXACT },
                 { "s3ho", "columns", "two_sided=1,bands=2,thickness=solid", EXACT },
                 { "s3ho", "room", "two_sided=1,bands=3,thickness=back", EXACT },
                 { "s3ho", "room", "two_sided=1", EXACT },
                 { "s3ho", "columns", "two_sided=0", ONE_SIDED },
-                { "s3ho", "room", "two_sided=1,filtered=coefficients,bands=3,half=1,blur=1", HALVES } };
+                { "s3ho", "room", "two_sided=1,filtered=coefficients,bands=3,resolution=half,blur=1", HALVES } };
     static const float uniform[3] = { 3.5449077f, 3.5449077f, 3.5449077f };
     static const int allowed[KINDS] = { 0, SMALL_W * SMALL_H, 33 * SMALL_W * SMALL_H / 10000, 0 };
     double worst[KINDS] = { 0 };
@@ -203,7 +203,7 @@ static int corner(kit_gbuffer *g, double c, int wall)
    1/sqrt(N) a third. */
 static void corners_are_closed_forms(void)
 {
-#define POINTS "bounce=none,samples=64,thickness=solid,"
+#define POINTS "bounce=none,directions=64,thickness=solid,"
 #define LAYERED(layers) POINTS "thickness_limit=0.282843,layers=" layers
 #define WITHIN(off) -(off), off
 #define ENDLESS 0, 0, 0, 0
@@ -219,29 +219,29 @@ static void corners_are_closed_forms(void)
     } row[] = {
         { "ssdo-points", POINTS "falloff=linear", linear_corner, 1, DARK, 8, WITHIN(0.003), ENDLESS },
         { "ssdo-points", POINTS "falloff=square", square_corner, 1, DARK, 8, WITHIN(0.003), ENDLESS },
-        { "ssdo-points", POINTS "steps=2", linear_corner, 2, DARK, 8, WITHIN(0.003), ENDLESS },
-        { "ssdo-points", POINTS "steps=4", linear_corner, 4, DARK, 8, WITHIN(0.003), ENDLESS },
-        { "ssdo-points", POINTS "uniform=1", linear_corner, 1, DARK, 8, WITHIN(0.003), ENDLESS },
-        { "ssdo-points", POINTS "uniform=1,environment=sh", linear_corner, 1, DARK, 8, WITHIN(0.003), ENDLESS },
+        { "ssdo-points", POINTS "samples=2", linear_corner, 2, DARK, 8, WITHIN(0.003), ENDLESS },
+        { "ssdo-points", POINTS "samples=4", linear_corner, 4, DARK, 8, WITHIN(0.003), ENDLESS },
+        { "ssdo-points", POINTS "uniform_directions=1", linear_corner, 1, DARK, 8, WITHIN(0.003), ENDLESS },
+        { "ssdo-points", POINTS "uniform_directions=1,environment=sh", linear_corner, 1, DARK, 8, WITHIN(0.003), ENDLESS },
         { "ssdo-points", POINTS "environment=sh", linear_corner, 1, DARK, 8, WITHIN(0.003), ENDLESS },
-        { "ssao", "samples=64,steps=1,thickness=solid", linear_corner, 1, DARK, 4, WITHIN(0.004), ENDLESS },
-        { "hsao-best", "directions=8,steps=48", linear_corner, 1, DARK, 4, WITHIN(0.002), ENDLESS },
-        { "hsao-best", "directions=8,steps=48,falloff=none", hard_corner, 1, DARK, 4, WITHIN(0.01), ENDLESS },
-        { "hsao-best", "directions=2,steps=8,thickness=solid", linear_corner, 1, DARK, 32, FEW_TAPS },
-        { "hsao-best", "directions=2,steps=8,thickness=constant", linear_corner, 1, DARK, 32, FEW_TAPS },
-        { "hsao-best", "directions=2,steps=8,thickness=back", linear_corner, 1, DARK, 32, FEW_TAPS },
-        { "hsao-best", "directions=2,steps=8,thickness=slabs", linear_corner, 1, DARK, 32, FEW_TAPS },
-        { "ssdo-points", "thickness=solid,samples=16", linear_corner, 1, SENDS, 64, WITHIN(0.01), ENDLESS },
-        { "ssdo-points", "thickness=solid,samples=16,uniform=1", linear_corner, 1, SENDS, 64, WITHIN(0.02), ENDLESS },
-        { "ssdo", "thickness=solid,directions=8", linear_corner, 1, SENDS, 64, WITHIN(0.02), ENDLESS },
-        { "ssdo-points", "thickness=solid,bounce=patch,distance_clamp=0,samples=64", patch_corner, 1, SENDS, 64,
+        { "ssao", "directions=64,samples=1,thickness=solid", linear_corner, 1, DARK, 4, WITHIN(0.004), ENDLESS },
+        { "hsao-best", "slices=8,samples=48", linear_corner, 1, DARK, 4, WITHIN(0.002), ENDLESS },
+        { "hsao-best", "slices=8,samples=48,falloff=none", hard_corner, 1, DARK, 4, WITHIN(0.01), ENDLESS },
+        { "hsao-best", "slices=2,samples=8,thickness=solid", linear_corner, 1, DARK, 32, FEW_TAPS },
+        { "hsao-best", "slices=2,samples=8,thickness=constant", linear_corner, 1, DARK, 32, FEW_TAPS },
+        { "hsao-best", "slices=2,samples=8,thickness=back", linear_corner, 1, DARK, 32, FEW_TAPS },
+        { "hsao-best", "slices=2,samples=8,thickness=slabs", linear_corner, 1, DARK, 32, FEW_TAPS },
+        { "ssdo-points", "thickness=solid,directions=16", linear_corner, 1, SENDS, 64, WITHIN(0.01), ENDLESS },
+        { "ssdo-points", "thickness=solid,directions=16,uniform_directions=1", linear_corner, 1, SENDS, 64, WITHIN(0.02), ENDLESS },
+        { "ssdo", "thickness=solid,slices=8", linear_corner, 1, SENDS, 64, WITHIN(0.02), ENDLESS },
+        { "ssdo-points", "thickness=solid,bounce=patch,distance_clamp=0,directions=64", patch_corner, 1, SENDS, 64,
           WITHIN(0.05), ENDLESS },
-        { "ssdo-points", "thickness=solid,bounce=patch,distance_clamp=0,samples=16", patch_corner, 1, SENDS, 64,
+        { "ssdo-points", "thickness=solid,bounce=patch,distance_clamp=0,directions=16", patch_corner, 1, SENDS, 64,
           WITHIN(0.1), ENDLESS },
-        { "ssdo-points", "thickness=solid,bounce=patch,distance_clamp=0,samples=16,uniform=1,sets=16", patch_corner, 1,
+        { "ssdo-points", "thickness=solid,bounce=patch,distance_clamp=0,directions=16,uniform_directions=1,sets=16", patch_corner, 1,
           SENDS, 64, WITHIN(0.06), ENDLESS },
-        { "ssdo-points", "thickness=solid,samples=16,two_sided=1", linear_corner, 1, BACK, 64, WITHIN(0.01), ENDLESS },
-        { "ssdo-points", "thickness=solid,samples=16,two_sided=0", linear_corner, 1, BACK, 8, -1, -1, ENDLESS },
+        { "ssdo-points", "thickness=solid,directions=16,two_sided=1", linear_corner, 1, BACK, 64, WITHIN(0.01), ENDLESS },
+        { "ssdo-points", "thickness=solid,directions=16,two_sided=0", linear_corner, 1, BACK, 8, -1, -1, ENDLESS },
         { "ssdo-points", LAYERED("2"), linear_corner, 1, DARK, 8, WITHIN(0.003), 0.1, 0.05, 2, 0 },
         { "ssdo-points", LAYERED("2"), linear_corner, 1, DARK, 8, WITHIN(0.003), 0.1, 0.25, 2, 0 },
         { "ssdo-points", LAYERED("2"), linear_corner, 1, DARK, 8, WITHIN(0.003), 0.25, 0.1, 2, 0 },
@@ -524,15 +524,15 @@ static void point_light_in_a_box(void)
 static void margins(void)
 {
     static const struct { const char *method, *set; int rim; } rows[] = {
-        { "ssao", "samples=5,normal=depth,blur=2", 6 }, { "hsao", "directions=1,steps=3,blur=2", 6 },
-        { "hsao-best", "directions=1,steps=3,blur=0", 0 },
-        { "hsao-march", "directions=2,steps=3,normal_rays=1,layers=2", 4 },
-        { "ssdo-points", "samples=4,steps=1,environment=none", -1 },
-        { "ssdo", "directions=1,steps=3,half=1,bounce=none", 4 },
-        { "ssdo", "directions=1,steps=3,half=0,reuse=1", -1 },
-        { "s3ho", "directions=1,steps=3,bands=2,half=1", -1 },
-        { "s3ho-points", "samples=4,steps=1,bands=2,filtered=coefficients,indirect=apart,blur=2", -1 },
-        { "ssbn", "directions=1,steps=3,half=0,blur=0", 0 } };
+        { "ssao", "directions=5,normal=depth,blur=2", 6 }, { "hsao", "slices=1,samples=3,blur=2", 6 },
+        { "hsao-best", "slices=1,samples=3,blur=0", 0 },
+        { "hsao-march", "directions=2,samples=3,normal_rays=1,layers=2", 4 },
+        { "ssdo-points", "directions=4,samples=1,environment=none", -1 },
+        { "ssdo", "slices=1,samples=3,resolution=half,bounce=none", 4 },
+        { "ssdo", "slices=1,samples=3,resolution=full,reuse=1", -1 },
+        { "s3ho", "slices=1,samples=3,bands=2,resolution=half", -1 },
+        { "s3ho-points", "directions=4,samples=1,bands=2,filtered=coefficients,indirect=apart,blur=2", -1 },
+        { "ssbn", "slices=1,samples=3,resolution=full,blur=0", 0 } };
     const kit_camera camera = { { 4.55f, 1.75f, 4.25f }, { 1.35f, 0.85f, 0.85f }, { 0, 1, 0 }, 0, 3, 0.1f, 12, 67, 49,
                                 { 3, -2 }, KIT_DEPTH_NORMAL };
     static scenery s;
@@ -561,7 +561,7 @@ static void margins(void)
         CHECK(!off, "%s %s: %d rows are not those of a larger picture", rows[r].method, rows[r].set, off);
         const kit_pass *p =
             &run.pass[run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS]; /* widths are of all that is seen */
-        const int half = p->desc.gather.half ? 2 : 1, drawn_columns = half * p->box[2];
+        const int half = p->desc.gather.resolution ? 2 : 1, drawn_columns = half * p->box[2];
         CHECK(rows[r].rim < 0 ? !p->box[2] : abs(drawn_columns - 67 - 2 * rows[r].rim) < half, "%s %s: its first pass "
               "draws %d columns", rows[r].method, rows[r].set, drawn_columns);
         for (int i = 0; i < run.passes; ++i) shown += run.pass[i].box[2] == 67 && run.pass[i].box[3] == 49;

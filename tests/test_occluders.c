@@ -91,7 +91,7 @@ static void caps(void)
     static float at[4 * POINTS], out[POINTS], table[48 * 48];
     ssgi_cap_table(table, 48, NULL);
     for (int tabled = 0; tabled < 2; ++tabled) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD, .input.cap_table = tabled };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_AOF, .input.cap_table = tabled };
         const GLuint texture[3] = { 0, 0, tabled ? kit_texture(48, 48, GL_R32F, table) : 0 };
         double worst = 0;
         for (int i = 0; i < POINTS; ++i) {
@@ -148,7 +148,7 @@ static void same_as_on_the_cpu(void)
     for (int m = 0; m < 5; ++m) {
         const ssgi_field *f[2] = { field_of(&scene, 3 + m % 4, 8), field_of(&scene, 12, 5) };
         ssgi_field full;                       /* a hull that ends where the field does */
-        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_FIELD };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_AOF };
         ssgi_gl_occluder occluder[2];
         GLuint textures[2];
         float to[2][16];
@@ -213,7 +213,7 @@ static int drawn_aof(kit_image *out, kit_gbuffer *g, const kit_scene *scene, con
     const kit_world world = { scene, NULL };
     kit_method m;
     kit_run run;
-    int ok = TRY(kit_method_find(&m, "aof", &err)) && TRY(kit_method_set(&m, "resolution=8,radii=8,rays=64", &err))
+    int ok = TRY(kit_method_find(&m, "aof", &err)) && TRY(kit_method_set(&m, "field_resolution=8,radii=8,rays=64", &err))
              && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(&run, g, &m, 1, &world, &err));
     if (!ok) return 0;
     kit_run_draw(&run, 0);
@@ -385,7 +385,7 @@ static void combination(void)
 static void against_truth(void)
 {
     static const struct { const char *set; double share; } row[] = { { "rays=32", 0.16 },
-                                                                    { "resolution=4,rays=32", 0.18 },
+                                                                    { "field_resolution=4,rays=32", 0.18 },
                                                                     { "normal=depth,rays=32", 0.25 } };
     kit_scene scene;
     kit_gbuffer g;

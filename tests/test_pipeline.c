@@ -15,15 +15,15 @@ static kit_error err;
 /* 33 samples, steps: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
 static const struct {
     const char *method, *set;
-} methods[] = { { "ssao", "samples=33" },
-                { "hsao", "steps=33" },
-                { "hsao-best", "steps=33" },
-                { "hsao-march", "steps=33" },
-                { "hsao-march", "steps=33,normal_rays=2,thickness=solid" },
-                { "ssao", "samples=33,normal=depth,thickness=solid" },
-                { "hsao", "steps=33,normal=depth,thickness=constant" },
-                { "ssdo", "directions=1,steps=33,bounce=none,environment=sh,half=0,blur=0" },
-                { "s3ho", "directions=1,steps=33,indirect=none,store=float,filtered=coefficients,half=0,blur=0" } };
+} methods[] = { { "ssao", "directions=33" },
+                { "hsao", "samples=33" },
+                { "hsao-best", "samples=33" },
+                { "hsao-march", "samples=33" },
+                { "hsao-march", "samples=33,normal_rays=2,thickness=solid" },
+                { "ssao", "directions=33,normal=depth,thickness=solid" },
+                { "hsao", "samples=33,normal=depth,thickness=constant" },
+                { "ssdo", "slices=1,samples=33,bounce=none,environment=sh,resolution=full,blur=0" },
+                { "s3ho", "slices=1,samples=33,indirect=none,store=float,filtered=coefficients,resolution=full,blur=0" } };
 enum { METHODS = ROWS(methods), LIT = METHODS - 2 };
 
 /* Turns a run to another G-buffer, whatever its size, at the defaults, in uniform light: compiling is what takes
@@ -98,7 +98,7 @@ static void corner_converges(void)
         kit_run run;
         char set[112];
         const int steps = row[m].steps, hard = row[m].hard;
-        snprintf(set, sizeof set, "directions=32,normal_rays=0,blur=0,noise=texture,steps=%d,falloff=%s,spheres=%d",
+        snprintf(set, sizeof set, "directions=32,normal_rays=0,blur=0,noise=texture,samples=%d,falloff=%s,growing_sphere=%d",
                  steps, hard ? "none" : "linear", row[m].spheres);
         if (!open_run(&run, &g[0], "hsao-march", set, 1, NULL, NULL)) return;
         glBindTexture(GL_TEXTURE_2D, run.noise);           /* steps not jittered, 16 * 32 directions */
@@ -176,32 +176,32 @@ static void terms_of_the_march(void)
         double least, most;
     } row[] = { /* under a lid: what is seen has no far side, and the horizon goes up to it; with its back it does not,
                    and normal rays meet it within the radius where z > 0.55. A sphere never reaches it */
-                { "terms=horizon", 1, 0, 0.99, 1 },
-                { "terms=horizon,spheres=1", 1, 0, 0, 0 },
-                { "terms=horizon,layers=3", 1, 0, 0, 0 },
-                { "terms=normal,layers=3", 1, 0, 0.68, 0.7 },
-                { "terms=both,layers=3", 1, 0, 0.68, 0.7 },
-                { "terms=rays,layers=3", 1, 0, 0.68, 0.7 },
+                { "march_terms=horizon", 1, 0, 0.99, 1 },
+                { "march_terms=horizon,growing_sphere=1", 1, 0, 0, 0 },
+                { "march_terms=horizon,layers=3", 1, 0, 0, 0 },
+                { "march_terms=normal,layers=3", 1, 0, 0.68, 0.7 },
+                { "march_terms=both,layers=3", 1, 0, 0.68, 0.7 },
+                { "march_terms=rays,layers=3", 1, 0, 0.68, 0.7 },
                 /* within a wall up to 45 degrees: half, of which normal rays find what the last step left */
-                { "terms=horizon", 0, 1, 0.44, 0.5 },
-                { "terms=both", 0, 1, 0.48, 0.51 },
-                { "terms=rays", 0, 1, 0.48, 0.51 },
-                { "terms=normal", 0, 1, 0, 0.06 },
+                { "march_terms=horizon", 0, 1, 0.44, 0.5 },
+                { "march_terms=both", 0, 1, 0.48, 0.51 },
+                { "march_terms=rays", 0, 1, 0.48, 0.51 },
+                { "march_terms=normal", 0, 1, 0, 0.06 },
                 /* both: nothing is open, so the shares below and above the horizon are 1. It goes on to the lid */
-                { "terms=horizon,layers=3", 1, 1, 0.5, 0.56 },
-                { "terms=normal,layers=3", 1, 1, 0.44, 0.5 },
-                { "terms=both,layers=3", 1, 1, 0.999, 1 },
-                { "terms=rays,layers=3", 1, 1, 0.999, 1 },
+                { "march_terms=horizon,layers=3", 1, 1, 0.5, 0.56 },
+                { "march_terms=normal,layers=3", 1, 1, 0.44, 0.5 },
+                { "march_terms=both,layers=3", 1, 1, 0.999, 1 },
+                { "march_terms=rays,layers=3", 1, 1, 0.999, 1 },
                 /* a wall seen from above: its top at x is within a step more than x where x > (0.09 - s^2) / 2s,
                    s = 1/12; found there or up to a step on, at 0.5 to 0.58 */
-                { "terms=horizon,spheres=1,steps=12", 0, 1, 0.208, 0.266 } };
+                { "march_terms=horizon,growing_sphere=1,samples=12", 0, 1, 0.208, 0.266 } };
     double o[ROWS(row)];
     for (int i = 0; i < ROWS(row); ++i) {
         kit_gbuffer g;
         kit_run run;
         char set[160];
         snprintf(set, sizeof set,
-                 "directions=32,normal_rays=8,steps=48,falloff=none,blur=0,offset=0,thickness=solid,%s", row[i].set);
+                 "directions=32,normal_rays=8,samples=48,falloff=none,blur=0,offset=0,thickness=solid,%s", row[i].set);
         if (!pit(&g, row[i].lid, row[i].wall) || !open_run(&run, &g, "hsao-march", set, 1, NULL, NULL)) return;
         o[i] = at_centre(&run);
         CHECK(o[i] >= row[i].least - 1e-6 && o[i] <= row[i].most + 1e-6, "%s%s%s: %.4f, not in %g..%g", row[i].set,
@@ -230,7 +230,7 @@ static int wrong(const kit_run *run, const float *nothing, int light)
         for (int k = 0; k < p->width * p->height; ++k)
             n += light ? !(fabsf(v[k]) < 3.55f)
                        : !(v[k] >= 0 && v[k] <= 1 + 2.4e-7f)
-                             || (nothing && (p->desc.pass == SSGI_GL_PASS_BLUR || !p->desc.gather.half)
+                             || (nothing && (p->desc.pass == SSGI_GL_PASS_BLUR || !p->desc.gather.resolution)
                                  && !(nothing[k] > 0) && v[k] < 1);
     }
     return n;
@@ -423,7 +423,7 @@ static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[
     if (!TRY(kit_gbuffer_from_frame(&g, &frame, c, &err))) return 1;
     if ((!run->passes && !open_run(run, &g, "ssao", set, 0.5f, NULL, NULL)) || !fit(run, &g, 0.5f)) return 1;
     kit_pass *p = &run->pass[0];
-    const int step = p->desc.gather.half ? 2 : 1;
+    const int step = p->desc.gather.resolution ? 2 : 1;
     glBindTexture(GL_TEXTURE_2D, p->target[0]);
     for (int y = 0; y < p->height; ++y)
         for (int x = 0; x < p->width; ++x) {
@@ -461,8 +461,8 @@ static void filter_keeps_its_word(void)
                 /* its weight is a pixel's width over the distance: never 0 */
                 { "blur=2,normal=depth", 1e-3, 0, 0 },
                 { "blur=2,filter=gaussian", 0.02, 0, 0 },
-                { "half=1,blur=1", 1e-3, 0, 1 },
-                { "half=1,blur=2,filter_normals=1", 1e-3, 0, 1 } };
+                { "resolution=half,blur=1", 1e-3, 0, 1 },
+                { "resolution=half,blur=2,filter_normals=1", 1e-3, 0, 1 } };
     double worst[5] = { 0 };
     for (int i = 0; i < 16; ++i) {
         const kit_camera c = looking_along_z(61 + 2 * i, 45, i & 1);

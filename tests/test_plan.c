@@ -63,7 +63,7 @@ static void follows(void)
                 s.thickness = given;
                 p = made(&s);
                 CHECK((p.thickness <= given || p.thickness == SSGI_PLAN_THICKNESS_CONSTANT) && !p.history
-                          && p.method != SSGI_PLAN_METHOD_SURFELS,
+                          && p.method != SSGI_PLAN_METHOD_DSS,
                       "%d given, %g of %d: %s", given, (double)s.error, s.wanted, p.why);
             }
     /* Slabs are bought where they are what helps, unless depth passes are dear; the nearest is told where nothing
@@ -80,7 +80,7 @@ static void follows(void)
     s.surfels = 0.02;
     s.error = 0.0889f;
     p = made(&s);
-    CHECK(p.meets && p.method == SSGI_PLAN_METHOD_SURFELS, "slabs at a thousand a pass: %s", p.why);
+    CHECK(p.meets && p.method == SSGI_PLAN_METHOD_DSS, "slabs at a thousand a pass: %s", p.why);
     s.surfels = 0.2;
     p = made(&s);
     CHECK(p.meets && p.method == SSGI_PLAN_METHOD_HSAO && !p.thickness, "ten times as many surfels: %s", p.why);
@@ -142,14 +142,14 @@ static void by_hand(void)
                                  bounced = { .wanted = SSGI_PLAN_WANTED_BOUNCE,
                                              .calibration = { 1, 0.01f, 0.005f, 0.004f },
                                              .energy = { 1, 0.5f, 0.25f, 0.25f } };
-    const struct { const ssgi_plan_scene *scene; int method, half, directions, bands; float size; double error, cost;
+    const struct { const ssgi_plan_scene *scene; int method, resolution, slices, bands; float size; double error, cost;
     } row[] = {
         /* hsao 0.83 */
         { &dim, SSGI_PLAN_METHOD_HSAO, 0, 2, 0, 0, 0.00091104336, 4.64 },
         /* nothing 0.002, hsao 0.8, coarse 0.01, constant 0.2; a quarter of 250 texels, 0.2 surfels */
-        { &hidden, SSGI_PLAN_METHOD_SURFELS, 1, 2, 0, 0.03f, 0.045934736, 17.4525 },
+        { &hidden, SSGI_PLAN_METHOD_DSS, 1, 2, 0, 0.03f, 0.045934736, 17.4525 },
         /* nothing 0.025, hsao 0.78, coarse 0.037, constant 0.93; a sixteenth of the texels */
-        { &hidden, SSGI_PLAN_METHOD_SURFELS, 3, 2, 0, 0.03f, 0.052649786, 8.243125 },
+        { &hidden, SSGI_PLAN_METHOD_DSS, 3, 2, 0, 0.03f, 0.052649786, 8.243125 },
         /* nothing 0.008, hsao 0.59 */
         { &lit, SSGI_PLAN_METHOD_SSDO, 1, 2, 0, 0, 0.0039433488, 2.41 },
         /* nothing 0.23, hsao 0.048, uneven 0.027 */
@@ -159,15 +159,15 @@ static void by_hand(void)
         int met = 0;
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             ssgi_plan p;
-            if (!ssgi_plan_choice(&p, i, row[k].scene) || p.method != row[k].method || p.half != row[k].half
-                || p.directions != row[k].directions || p.bands != row[k].bands || fabsf(p.size - row[k].size) > 1e-6f
-                || p.thickness || p.history || p.steps == 12)
+            if (!ssgi_plan_choice(&p, i, row[k].scene) || p.method != row[k].method || p.resolution != row[k].resolution
+                || p.slices != row[k].slices || p.bands != row[k].bands || fabsf(p.surfel_size - row[k].size) > 1e-6f
+                || p.thickness || p.history || p.samples == 12)
                 continue;
             CHECK(fabs((double)p.error / row[k].error - 1) < 1e-4 && fabs((double)p.cost / row[k].cost - 1) < 1e-4,
                   "row %zu: %.8g predicted at %.8g, %.8g at %g by hand", k, (double)p.error, (double)p.cost,
                   row[k].error, row[k].cost);
             /* half of the radius is 0.075; levels of surfels of 0.03 end at 0.0229, 0.0458 and 0.0917 */
-            CHECK(p.levels == (p.method == SSGI_PLAN_METHOD_SURFELS ? 3 : 0), "row %zu: %d levels", k, p.levels);
+            CHECK(p.levels == (p.method == SSGI_PLAN_METHOD_DSS ? 3 : 0), "row %zu: %d levels", k, p.levels);
             ++met;
         }
         CHECK(met == 1, "row %zu: %d choices are meant", k, met);
@@ -198,7 +198,7 @@ static void by_hand(void)
             CHECK(i != 3 || (fabsf(p[0].cost - 1.72f) < 1e-4f && fabsf(p[1].cost - 1.55f) < 1e-4f
                              && fabsf(p[3].cost - 0.2852f) < 1e-4f),
                   "hsao costs %g, %g, %g ms", (double)p[0].cost, (double)p[1].cost, (double)p[3].cost);
-            CHECK(p[0].method != SSGI_PLAN_METHOD_FIELD
+            CHECK(p[0].method != SSGI_PLAN_METHOD_AOF
                       || (fabsf(p[0].cost - 3.81f) < 1e-4f && fabsf(p[1].cost - 1.55f) < 1e-4f),
                   "fields over 5 frames' pixels cost %g, %g", (double)p[0].cost, (double)p[1].cost);
         }
@@ -212,8 +212,8 @@ static void by_hand(void)
     s = (ssgi_plan_scene){ .calibration = { 1, 0.1f, 0.04f, 0 }, .thickness = SSGI_PLAN_THICKNESS_SLABS };
     for (int i = 0, met = 0; i < SSGI_PLAN_CHOICES; ++i) {
         ssgi_plan p;
-        if (!ssgi_plan_choice(&p, i, &s) || p.thickness != SSGI_PLAN_THICKNESS_SLABS || p.directions != 2 || !p.half
-            || p.steps != 6)
+        if (!ssgi_plan_choice(&p, i, &s) || p.thickness != SSGI_PLAN_THICKNESS_SLABS || p.slices != 2 || !p.resolution
+            || p.samples != 6)
             continue;
         CHECK(!met++ && fabsf(p.error - 0.04f) < 1e-6f, "slabs that were not calibrated err by %g", (double)p.error);
     }
@@ -266,7 +266,7 @@ static void draws(const kit_run *run, const ssgi_gl_chain *chain, int i)
         if (n++ >= steps) break;
         ssgi_gl_desc want = step[n - 1].desc;
         want.input = run->pass[k].desc.input;
-        want.text = run->pass[k].desc.text;
+        want.shader = run->pass[k].desc.shader;
         CHECK(ssgi_gl_key(&run->pass[k].desc) == ssgi_gl_key(&want), "choice %d: the kit has another pass %s", i,
               ssgi_gl_pass_name(want.pass));
     }
@@ -301,12 +301,12 @@ static void drawable(void)
             ssgi_plan p;
             if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_METHOD_NOTHING) continue;
             if (bounces && p.method == SSGI_PLAN_METHOD_S3HO) desc->light.transfer = SSGI_GL_TRANSFER_BOTH;
-            desc->light.packed = desc->light.transfer > 0;
+            desc->light.packed_coefficients = desc->light.transfer > 0;
             CHECK(ssgi_gl_plan(desc, &p, &why) == SSGI_OK && desc->input.depth == SSGI_GL_DEPTH_LINEAR
-                      && desc->gather.steps == p.steps && desc->gather.thickness == thickness[p.thickness]
-                      && desc->gather.half == p.half,
+                      && desc->gather.samples == p.samples && desc->gather.thickness == thickness[p.thickness]
+                      && desc->gather.resolution == p.resolution,
                   "choice %d: %s", i, why);
-            CHECK(desc->surfel.span == (p.method == SSGI_PLAN_METHOD_SURFELS ? 6 : 0)
+            CHECK(desc->surfel.span == (p.method == SSGI_PLAN_METHOD_DSS ? 6 : 0)
                       && desc->light.environment == (p.method == SSGI_PLAN_METHOD_SSDO ? SSGI_GL_ENVIRONMENT_MAP : 0),
                   "choice %d: span %d, environment %d", i, desc->surfel.span, (int)desc->light.environment);
             const int s3ho = desc->pass == SSGI_GL_PASS_S3HO;

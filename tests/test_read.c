@@ -18,7 +18,7 @@ static GLuint program_of(const ssgi_gl_desc *desc, const char *vertex, const cha
 {
     static char text[1 << 15];
     ssgi_gl_desc d = *desc;
-    d.text.dialect = kit_dialect();
+    d.shader.dialect = kit_dialect();
     const size_t n = ssgi_gl_read(text, sizeof text, &d);
     if (!CHECK(n, "%s: there are no functions that read it", ssgi_gl_pass_name(d.pass))) return 0;
     snprintf(text + n, sizeof text - n, "layout(location = 0) out vec4 o;\n%s", main_);
@@ -96,12 +96,12 @@ static void as_the_filter(void)
     static const subject subjects[] = {
         { "hsao", "", "vec3(ssgi_visibility_at" AT "), 1.0" },
         { "hsao", "blur=2", "vec3(ssgi_visibility_at" AT "), 1.0" },
-        { "hsao", "half=0", "vec3(ssgi_visibility_at" AT "), 1.0" },
-        { "hsao", "half=quarter", "vec3(ssgi_visibility_at" AT "), 1.0" },
+        { "hsao", "resolution=full", "vec3(ssgi_visibility_at" AT "), 1.0" },
+        { "hsao", "resolution=quarter", "vec3(ssgi_visibility_at" AT "), 1.0" },
         { "hsao", "history=1", "vec3(ssgi_visibility_at" AT "), 1.0" },
         { "ssdo", "bounce=none", "ssgi_irradiance_at" AT ", 1.0" },
         { "ssdo", "bounce=none,history=1", "ssgi_irradiance_at" AT ", 1.0" },
-        { "ssdo", "bounce=none,environment=sh,half=0", "ssgi_irradiance_at" AT ", 1.0" },
+        { "ssdo", "bounce=none,environment=sh,resolution=full", "ssgi_irradiance_at" AT ", 1.0" },
         { "s3ho", "indirect=none", "ssgi_irradiance_at" AT ", 1.0" },
         { "s3ho", "indirect=none,filtered=coefficients,store=float", "ssgi_coefficients_at" AT ".channel[0].word0" }
     };
@@ -173,7 +173,7 @@ static double depth_at(const ssgi_gl_frame *f, int orthographic, const float pla
 static GLuint result_of(const ssgi_gl_frame *f, const ssgi_gl_desc *d, const float of_card[4], double eye)
 {
     static float texel[4 * SIDE * SIDE];
-    const int part = d->gather.half == SSGI_GL_HALF_QUARTER ? 4 : d->gather.half ? 2 : 1, side = SIDE / part,
+    const int part = d->gather.resolution == SSGI_GL_RESOLUTION_QUARTER ? 4 : d->gather.resolution ? 2 : 1, side = SIDE / part,
               kept = d->pass == SSGI_GL_PASS_HISTORY, channels = kept ? 4 : 2;
     for (int i = 0; i < side * side; ++i) {
         const double x = part * (i % side) + 0.5, y = part * (i / side) + 0.5;
@@ -285,13 +285,13 @@ static double beside(const float *out)
 
 /* Results, and how far the eye stands before what is seen. */
 static const struct { ssgi_gl_desc desc; float eye; } results[] = {
-    { { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST }, 0 },
-    { { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_QUARTER }, 0 },
+    { { .pass = SSGI_GL_PASS_HSAO, .gather.resolution = SSGI_GL_RESOLUTION_HALF }, 0 },
+    { { .pass = SSGI_GL_PASS_HSAO, .gather.resolution = SSGI_GL_RESOLUTION_QUARTER }, 0 },
     { { .pass = SSGI_GL_PASS_SSAO }, 0 },
     { { .pass = SSGI_GL_PASS_HISTORY }, 0 },
-    { { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST, .input.orthographic = 1 }, 0 },
+    { { .pass = SSGI_GL_PASS_HSAO, .gather.resolution = SSGI_GL_RESOLUTION_HALF, .input.orthographic = 1 }, 0 },
     { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, 0 },
-    { { .pass = SSGI_GL_PASS_HSAO, .gather.half = SSGI_GL_HALF_FIRST, .input.orthographic = 1 }, 1e5f },
+    { { .pass = SSGI_GL_PASS_HSAO, .gather.resolution = SSGI_GL_RESOLUTION_HALF, .input.orthographic = 1 }, 1e5f },
     { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, 1e5f },
     { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, -20 }
 };
@@ -312,7 +312,7 @@ static void edges_and_panes(void)
         double got[ROWS(away)], worst = 0, plain = 0, lies = 0;
         if (!frame_of(&f, d->input.orthographic, results[r].eye)) return;
         GLuint result[2] = { result_of(&f, d, planes[1], eye), result_of(&f, d, steep, eye) }, block = block_of(&f);
-        snprintf(name, sizeof name, "%s, half %d, orthographic %d, eye %g", ssgi_gl_pass_name(d->pass), d->gather.half,
+        snprintf(name, sizeof name, "%s, half %d, orthographic %d, eye %g", ssgi_gl_pass_name(d->pass), d->gather.resolution,
                  d->input.orthographic, eye);
         if (glTexImage2DMultisample) {
             if (!edges(read, d, result[0], eye, 1) || !edges(want, d, result[0], eye, 0)) return;
@@ -333,7 +333,7 @@ static void edges_and_panes(void)
         }
         /* From full size a texel of another surface has no weight at all. */
         SHOW(lies < 1e-3
-                 && (d->gather.half ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65 && got[3] < 0.9
+                 && (d->gather.resolution ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65 && got[3] < 0.9
                                     : got[1] > 0.999 && got[2] > 0.999 && got[3] > 0.999 && got[3] < 1.0001),
              "%s: %.4f beside it; %.3f %.3f %.3f %.3f before it", name, lies, got[0], got[1], got[2], got[3]);
         glDeleteFramebuffers(1, &framebuffer);
@@ -354,7 +354,7 @@ static void refused(void)
         { { .pass = SSGI_GL_PASS_SHADE, .light.shading = SSGI_GL_SHADING_BENT }, 0 },
         { { .pass = SSGI_GL_PASS_EMITTERS }, 0 },
         { { .pass = SSGI_GL_PASS_COMPOSE }, 0 },
-        { { .pass = SSGI_GL_PASS_HSAO, .gather.steps = 99 }, 0 }
+        { { .pass = SSGI_GL_PASS_HSAO, .gather.samples = 99 }, 0 }
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         char text[8] = "as was";

@@ -148,7 +148,7 @@ static void bars_cover_what_they_cover(void)
         kit_gbuffer g;
         kit_run run;
         char set[128];
-        snprintf(set, sizeof set, "directions=8,steps=48%s,%s", row[i].sees == LIGHT ? ",bounce=none" : "", row[i].set);
+        snprintf(set, sizeof set, "slices=8,samples=48%s,%s", row[i].sees == LIGHT ? ",bounce=none" : "", row[i].set);
         const int at = profile_seen(&g, row[i].p);
         if (!at || !begin(&run, &g, row[i].sees == AO ? "hsao-best" : "ssdo", set, 1, NULL,
                           row[i].sees == LIGHT ? &white : &dark))
@@ -241,23 +241,23 @@ static void planes_stay_open(void)
         { "ssao", "blur=1", 1e-3, 0 },
         { "ssao", "thickness=solid,normal=depth", 1e-3, 0 },
         { "ssao", "thickness=width", 1e-3, 0 },
-        { "hsao", "half=1,blur=1", 1e-5, 0 },
-        { "hsao-fast", "thickness=slabs,half=1,blur=1", 1e-5, 0 },
-        { "hsao-fast", "half=quarter,blur=1", 1e-5, 0 },
+        { "hsao", "resolution=half,blur=1", 1e-5, 0 },
+        { "hsao-fast", "thickness=slabs,resolution=half,blur=1", 1e-5, 0 },
+        { "hsao-fast", "resolution=quarter,blur=1", 1e-5, 0 },
         { "hsao-best", "falloff=none", 1e-5, 0 },
         { "hsao", "thickness=solid", 1e-5, 0 },
         { "hsao", "thickness=back", 1e-5, 0 },
         { "hsao-best", "normal=depth", 1e-5, 0 },
-        { "hsao-march", "normal_rays=0,steps=6", 1e-5, 0 },
-        { "hsao-march", "normal=depth,normal_rays=2,steps=6,thickness=solid", 1e-3, 0 },
+        { "hsao-march", "normal_rays=0,samples=6", 1e-5, 0 },
+        { "hsao-march", "normal=depth,normal_rays=2,samples=6,thickness=solid", 1e-3, 0 },
         { "ssdo-points", "bounce=none,environment=map", 1e-3, 0.01 },
         { "ssdo-points", "bounce=none,environment=sh,sets=16", 1e-3, -1e-6 },
         { "ssdo-points", "bounce=none,environment=sh,bands=1,residual=1", 1e-3, 0.01 },
         { "ssdo", "bounce=none", 1e-5, 0.01 },
-        { "ssdo", "bounce=none,thickness=slabs,half=1,blur=1", 1e-5, 0.01 },
+        { "ssdo", "bounce=none,thickness=slabs,resolution=half,blur=1", 1e-5, 0.01 },
         { "ssdo", "bounce=none,environment=sh,thickness=back", 1e-5, -1e-6 },
         { "s3ho", "indirect=none", 1e-5, 0.03 },
-        { "s3ho-points", "indirect=none,store=float,filtered=coefficients,sets=16,steps=4", 1e-3, -1e-6 },
+        { "s3ho-points", "indirect=none,store=float,filtered=coefficients,sets=16,samples=4", 1e-3, -1e-6 },
         { "s3ho-points", "indirect=none,store=float,filtered=light", 1e-3, -1e-6 },
         { "s3ho-points", "indirect=none,store=float,filtered=light,bands=2", 1e-3, -1e-6 },
         { "s3ho-points", "indirect=none,store=float,filtered=coefficients,bands=1", 1e-3, -1e-6 },
@@ -265,11 +265,11 @@ static void planes_stay_open(void)
         { "s3ho", "indirect=none,bands=1,residual=1,store=float,filtered=coefficients", 1e-5, 0.01 },
         { "s3ho", "indirect=none,bands=3,store=packed,filtered=coefficients,thickness=slabs", 2e-3, 0.03 },
         { "ssbn", "store=float,thickness=solid", 1e-5, 0.01 },
-        { "ssbn", "store=float,cone=normal,half=1,blur=1", 1e-5, 0.01 },
+        { "ssbn", "store=float,cone=normal,resolution=half,blur=1", 1e-5, 0.01 },
         { "ssbn-points", "store=packed,cone=normal", 1e-3, 0.02 },
         { "hsao", "facets=1", 1e-5, 0 },
         { "ssao", "facets=1,blur=1", 1e-3, 0 },
-        { "hsao-march", "facets=1,normal_rays=2,steps=6", 1e-3, 0 },
+        { "hsao-march", "facets=1,normal_rays=2,samples=6", 1e-3, 0 },
         { "ssdo", "facets=1,bounce=none", 1e-5, 9 },
         { "s3ho", "facets=1,indirect=none", 1e-5, 9 },
         { "hsao", "lift=1,offset=8", 1e-5, 0 },
@@ -419,7 +419,7 @@ static void rooms_are_seen(void)
         char set[128];
         c.fovy = (float)s->fovy;
         c.znear = (float)s->near;
-        snprintf(set, sizeof set, "thickness=solid,directions=8,steps=48%s%s", *row[i].set ? "," : "", row[i].set);
+        snprintf(set, sizeof set, "thickness=solid,slices=8,samples=48%s%s", *row[i].set ? "," : "", row[i].set);
         if (!planes_seen(&frame, &c, s->plane, s->planes, row[i].sends ? ",direct.R,direct.G,direct.B" : "")) return;
         for (int k = 4 * PIXELS; k < 7 * PIXELS && row[i].sends; ++k) frame.data[k] = 1;
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
@@ -483,30 +483,30 @@ enum { IN_VIEW_DEPTH = 1, FLAT_TOO = 2, ENDLESS_TOO = 4, AFAR = 8, LOOSELY = 16,
 static const struct { const char *method, *set; int also; } alike[] = {
     { "ssao", "thickness=solid", IN_VIEW_DEPTH | ENDLESS_TOO },
     { "ssao", "", NOWHERE_ELSE | AFAR },
-    { "hsao", "half=1", IN_VIEW_DEPTH | AFAR | LOOSELY },
+    { "hsao", "resolution=half", IN_VIEW_DEPTH | AFAR | LOOSELY },
     { "hsao", "thickness=slabs", NOWHERE_ELSE | AFAR },
-    { "hsao-best", "directions=1,steps=8", FLAT_TOO | ENDLESS_TOO },
-    { "hsao-best", "directions=2,steps=4,blur=0", NOWHERE_ELSE | BARE },
-    { "hsao-best", "directions=2,steps=4,blur=0,thickness=constant", NOWHERE_ELSE | BARE },
-    { "hsao-best", "directions=2,steps=4,blur=0,thickness=constant,normal=depth", NOWHERE_ELSE | BARE },
-    { "hsao-march", "directions=2,steps=4", IN_VIEW_DEPTH },
+    { "hsao-best", "slices=1,samples=8", FLAT_TOO | ENDLESS_TOO },
+    { "hsao-best", "slices=2,samples=4,blur=0", NOWHERE_ELSE | BARE },
+    { "hsao-best", "slices=2,samples=4,blur=0,thickness=constant", NOWHERE_ELSE | BARE },
+    { "hsao-best", "slices=2,samples=4,blur=0,thickness=constant,normal=depth", NOWHERE_ELSE | BARE },
+    { "hsao-march", "directions=2,samples=4", IN_VIEW_DEPTH },
     { "hsao-march", "layers=2", NOWHERE_ELSE | AFAR },
-    { "hsao-march", "directions=2,steps=4,views=2,view_layers=2,view_size=32", NOWHERE_ELSE | LOOSELY },
-    { "hsao-history", "directions=1,blur=1", NOWHERE_ELSE | LOOSELY },
-    { "ssdo-points", "bounce=solid-angle,layers=2,samples=8,fade=smooth", ENDLESS_TOO },
-    { "ssdo-points", "bounce=patch,samples=8,half=0,shadows=segment,points=4", 0 },
-    { "ssdo", "half=1,shadow_size=64", IN_VIEW_DEPTH | ENDLESS_TOO },
+    { "hsao-march", "directions=2,samples=4,views=2,view_layers=2,view_size=32", NOWHERE_ELSE | LOOSELY },
+    { "hsao-history", "slices=1,blur=1", NOWHERE_ELSE | LOOSELY },
+    { "ssdo-points", "bounce=solid-angle,layers=2,directions=8,fade=smooth", ENDLESS_TOO },
+    { "ssdo-points", "bounce=patch,directions=8,resolution=full,shadows=segment,points=4", 0 },
+    { "ssdo", "resolution=half,shadow_size=64", IN_VIEW_DEPTH | ENDLESS_TOO },
     { "ssdo", "bounce=solid-angle,shadow_size=256", NOWHERE_ELSE | AFAR },
     { "ssdo", "vpls=4,shadow_size=32", NOWHERE_ELSE | LOOSELY },
-    { "s3ho", "half=1,bands=2", 0 },
+    { "s3ho", "resolution=half,bands=2", 0 },
     { "s3ho", "lights=shadowed,shadow_size=256", NOWHERE_ELSE | AFAR },
-    { "s3ho-points", "layers=2,fade=lambda,range=1,samples=8", FLAT_TOO | ENDLESS_TOO },
-    { "s3ho-points", "indirect=none,filtered=coefficients,half=1,blur=2,store=packed,samples=8", IN_VIEW_DEPTH },
-    { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,half=1,samples=8", ENDLESS_TOO },
-    { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,samples=8", 0 },
+    { "s3ho-points", "layers=2,fade=lambda,range_check=1,directions=8", FLAT_TOO | ENDLESS_TOO },
+    { "s3ho-points", "indirect=none,filtered=coefficients,resolution=half,blur=2,store=packed,directions=8", IN_VIEW_DEPTH },
+    { "s3ho-points", "filtered=coefficients,indirect=apart,blur=1,resolution=half,directions=8", ENDLESS_TOO },
+    { "ssbn-points", "lights=shadowed,shadow_size=64,blur=1,filtered=coefficients,fade=lambda,directions=8", 0 },
     { "dss-lit", "size=0.06,shadow_size=64", IN_VIEW_DEPTH | ENDLESS_TOO | LOOSELY },
     { "dss-lit", "size=0.06,shadow_size=256", NOWHERE_ELSE | AFAR },
-    { "aof", "resolution=4,radii=4,rays=32", AFAR | LOOSELY } };
+    { "aof", "field_resolution=4,radii=4,rays=32", AFAR | LOOSELY } };
 
 enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, DISTANT, DISTANT_LINEAR,
        DISTANT_DECODED, DISTANT_OWN, WITHIN, WITHIN_LINEAR, WITHIN_DECODED, WITHIN_OWN, LOOSE, LEFT_HANDED, SLICED,
@@ -756,14 +756,14 @@ static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int w
         was[k] = p->program;
         if (decodes && p->desc.pass == SSGI_GL_PASS_BLUR) continue;
         p->program = 0;
-        if (way == LOOSE) p->desc.text.uniforms = SSGI_GL_UNIFORMS_LOOSE;
+        if (way == LOOSE) p->desc.shader.uniforms = SSGI_GL_UNIFORMS_LOOSE;
         p->desc.input.left_handed = way == LEFT_HANDED;
         p->desc.input.array = way == SLICED;
         p->desc.input.multisampled = way == SAMPLED;
         p->desc.input.oblique = way == OBLIQUE;
         if (decodes) {                                     /* its sampler is at unit 0, where the rows have depth */
             p->desc.input.depth = SSGI_GL_DEPTH_CUSTOM;
-            p->desc.text.fetch = text;
+            p->desc.shader.fetch = text;
             ok = ok && TRY(!(p->program = kit_pass_program(&p->desc, &err)));
         } else ok = ok && TRY(kit_pass_make(p, &err));
     }
@@ -799,7 +799,7 @@ static void nothing_changes(int first, int last, int from, int to)
                 const int gathers = strncmp(alike[m].method, "dss", 3) && strcmp(alike[m].method, "aof");
                 snprintf(set, sizeof set, "%s%s", gathers ? "noise=texture," : "", alike[m].set);
                 /* at half size another pixel of each 2x2 is drawn: another picture */
-                if (way == ROLLED && (!gathers || strstr(set, "half=1"))) continue;
+                if (way == ROLLED && (!gathers || strstr(set, "resolution=half"))) continue;
                 if (way == SHIFTED && !strncmp(alike[m].method, "dss", 3)) continue; /* blocks are of 32 pixels */
                 if ((alike[m].also & needs) != needs
                     || (alike[m].also & NOWHERE_ELSE && !apart_from_others))
@@ -856,13 +856,13 @@ static void targets_have_room(void)
 {
     enum { BEYOND = 20, WIDE_ = SEEN_W + BEYOND, HIGH_ = SEEN_H + BEYOND };
     static const struct { const char *method, *set; } row[] = {
-        { "ssao", "samples=8,blur=2" },
-        { "hsao", "half=1,blur=1" },
-        { "hsao", "half=quarter,blur=1" },
-        { "hsao-march", "directions=2,steps=4,blur=1" },
-        { "s3ho-points", "samples=8,store=float,indirect=none,filtered=coefficients,half=1,blur=2" },
-        { "s3ho-points", "samples=8,indirect=joint,filtered=light,blur=1" },
-        { "s3ho", "indirect=joint,filtered=light,half=1,blur=2" } };
+        { "ssao", "directions=8,blur=2" },
+        { "hsao", "resolution=half,blur=1" },
+        { "hsao", "resolution=quarter,blur=1" },
+        { "hsao-march", "directions=2,samples=4,blur=1" },
+        { "s3ho-points", "directions=8,store=float,indirect=none,filtered=coefficients,resolution=half,blur=2" },
+        { "s3ho-points", "directions=8,indirect=joint,filtered=light,blur=1" },
+        { "s3ho", "indirect=joint,filtered=light,resolution=half,blur=2" } };
     static float texel[4 * WIDE_ * HIGH_], sevens[4 * WIDE_ * HIGH_];
     kit_scene scene;
     kit_gbuffer g;
@@ -955,18 +955,18 @@ static void near_their_truth(void)
         { "a lamp in a box", "cornell", NULL, 0, NULL, 0, 0, NULL, "point:0,5,-2.8,20,20,20", 96, 54, 1 },
         { "columns under a sun and a sky", "columns", NULL, 0, NULL, 0, 0, "sky", "sun:1,2,1,3,3,3", 96, 54, 32 } };
     /* most, least: the RMSE, of open places' or, where lamps shine, of the mean; bias: at most */
-#define POINTS "bounce=none,blur=0,samples=33,steps=1,range=0,fade=none,thickness=solid"
+#define POINTS "bounce=none,blur=0,directions=33,samples=1,range_check=0,fade=none,thickness=solid"
 #define CAMERAS ",views=3,view_layers=2"
     static const struct { int place; const char *method, *set; double least, most, bias; } row[] = {
-        { BALL, "hsao-best", "directions=4,steps=16,thickness=width", 0, 0.8, 0.012 },
-        { BALL, "hsao-best", "directions=4,steps=16,thickness=back", 0, 0.96, 0.015 },
-        { BALL, "hsao-best", "directions=4,steps=16,thickness=slabs", 0, 0.33, 0.004 },
+        { BALL, "hsao-best", "slices=4,samples=16,thickness=width", 0, 0.8, 0.012 },
+        { BALL, "hsao-best", "slices=4,samples=16,thickness=back", 0, 0.96, 0.015 },
+        { BALL, "hsao-best", "slices=4,samples=16,thickness=slabs", 0, 0.33, 0.004 },
         { LENS, "hsao", "", 0, 0.32, 0.01 },
         { NARROW, "hsao", "", 0, 0.32, 0.01 },
         { NARROWEST, "hsao", "", 0, 0.32, 0.01 },
         { BESIDE, "ssdo-points", POINTS, 0.9, 9, 1 },
         { BESIDE, "ssdo-points", POINTS CAMERAS, 0, 0.3, 0.003 },
-        { BESIDE, "hsao-march", "directions=16,steps=24,blur=0,thickness=solid" CAMERAS, 0, 0.14, 0.003 },
+        { BESIDE, "hsao-march", "directions=16,samples=24,blur=0,thickness=solid" CAMERAS, 0, 0.14, 0.003 },
         { AFLOAT, "ssdo-points", POINTS, 5, 9, 1 },
         { AFLOAT, "ssdo-points", POINTS CAMERAS, 0, 1.7, 0.006 },
         { LAMP, "ssbn", "", 0, 0.03, 0.001 },

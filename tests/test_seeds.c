@@ -344,7 +344,7 @@ static int one_row(FILE *html, const options *o, int k, row *rows, kit_error *er
     ++measured;
     snprintf(name, sizeof name, "part %d", k);
     fputs(name, html);
-    rows[0] = row_blank(OF_AO, "a scene", "a label", "ssao", "samples=8");
+    rows[0] = row_blank(OF_AO, "a scene", "a label", "ssao", "directions=8");
     rows[0].share = k;
     return 1;
 }
@@ -360,7 +360,7 @@ static int charted(const options *o, int count)
         row r;
         snprintf(wanted, sizeof wanted, "part %d", k);
         good = units_measure(html, o, "test-seed", k, one_row, &r, NULL) == 1 && !strcmp(r.label, "a label")
-            && !strcmp(r.settings, "samples=8") && fabs(r.share - k) < 1e-9;
+            && !strcmp(r.settings, "directions=8") && fabs(r.share - k) < 1e-9;
         fclose(html);
         good = good && !strcmp(text, wanted);
     }

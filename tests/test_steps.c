@@ -110,9 +110,9 @@ static void draw_step(host *h, const ssgi_gl_frame *frame, int i)
         glBlendFunc(s->blend[1], s->blend[2]);
     }
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
-    if (s->desc.pass == SSGI_GL_PASS_SPLAT && h->array) glBindVertexArray(h->array);
+    if (s->desc.pass == SSGI_GL_PASS_DSS && h->array) glBindVertexArray(h->array);
     glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances ? s->instances
-                          : s->desc.pass == SSGI_GL_PASS_SPLAT ? h->surfels : h->occluders);
+                          : s->desc.pass == SSGI_GL_PASS_DSS ? h->surfels : h->occluders);
     glBindVertexArray((GLuint)was);
     glDisable(GL_BLEND);
     for (int k = 0; k < s->outputs && s->output[k].kept; ++k) {         /* the two change places */
@@ -153,7 +153,7 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
         if (d->pass == pass && d->light.bounce) chain.desc.light.bounce = d->light.bounce;
         if (d->pass == SSGI_GL_PASS_LIGHTS) chain.lights = *d;
         h->yours[SSGI_GL_YOUR_LIGHTS] = run->pass[i].lights;
-        if (d->pass == SSGI_GL_PASS_FIELD) h->yours[SSGI_GL_YOUR_OCCLUDERS] = run->pass[i].lights;
+        if (d->pass == SSGI_GL_PASS_AOF) h->yours[SSGI_GL_YOUR_OCCLUDERS] = run->pass[i].lights;
         chain.blur |= d->pass == SSGI_GL_PASS_BLUR;
     }
     h->yours[SSGI_GL_YOUR_DEPTH] = g->depth;
@@ -193,8 +193,8 @@ static const struct { const char *method, *set; int pass, lit, es; } methods[] =
     { "ssao", "", SSGI_GL_PASS_SSAO, 0, 0 }, { "hsao", "", SSGI_GL_PASS_HSAO, 0, 1 },
     { "hsao-march", "blur=0", SSGI_GL_PASS_HSAO, 0, 0 }, { "ssdo", "environment=sh", SSGI_GL_PASS_SSDO, 1, 0 },
     { "ssdo", "shadows=map", SSGI_GL_PASS_SSDO, 1, 1 }, { "s3ho", "indirect=none", SSGI_GL_PASS_S3HO, 1, 0 },
-    { "aof", "occluders=all,resolution=4,rays=16,cap_table=32", SSGI_GL_PASS_FIELD, 0, 1 },
-    { "dss", "size=0.05", SSGI_GL_PASS_SPLAT, 0, 1 }
+    { "aof", "occluders=all,field_resolution=4,rays=16,cap_table=32", SSGI_GL_PASS_AOF, 0, 1 },
+    { "dss", "size=0.05", SSGI_GL_PASS_DSS, 0, 1 }
 };
 enum { METHODS = (int)(sizeof methods / sizeof *methods) };
 
@@ -252,7 +252,7 @@ static void every_method(void)
             }
         }
         /* what surfels add up depends on the order that blending takes */
-        CHECK(worst <= (methods[m].pass == SSGI_GL_PASS_SPLAT ? 1e-4 : 0), "%s %s: %s: off by %g", context,
+        CHECK(worst <= (methods[m].pass == SSGI_GL_PASS_DSS ? 1e-4 : 0), "%s %s: %s: off by %g", context,
               methods[m].method, methods[m].set, worst);
         shut(&h);
         kit_run_close(&run);
@@ -282,13 +282,13 @@ static void methods_by_name(void)
         int at = 0;
         if (!CHECK(ssgi_gl_chain_of(&chain, named->name, &why) == SSGI_OK, "%s: %s", named->name, why)
             || !TRY(kit_method_find(&method, named->name, &err))) break;
-        const kit_world world = { &scene, !method.lit ? NULL : method.pass == SSGI_GL_PASS_SPLAT ? &lamp : &sky };
-        if (method.between && !TRY(kit_method_set(&method, "occluders=all,resolution=4,rays=16", &err))) break;
+        const kit_world world = { &scene, !method.lit ? NULL : method.pass == SSGI_GL_PASS_DSS ? &lamp : &sky };
+        if (method.between && !TRY(kit_method_set(&method, "occluders=all,field_resolution=4,rays=16", &err))) break;
         if (!TRY(kit_run_open(&run, &g, &method, scene.radius, &world, &err))) break;
         chain.width = W;
         chain.height = H;
         chain.precise = 1;
-        chain.desc.text.dialect = chain.lights.text.dialect = kit_dialect();
+        chain.desc.shader.dialect = chain.lights.shader.dialect = kit_dialect();
         chain.desc.input.objects = method.between ? SSGI_GL_OBJECTS_TEXTURE : SSGI_GL_OBJECTS_NONE;
         if (!chain.desc.surfel.levels) chain.desc.surfel.levels = run.pass[run.passes - 1].desc.surfel.levels;
         const int count = ssgi_gl_steps(step, STEPS, &chain, &why);
@@ -312,20 +312,20 @@ static void names_of_methods(void)
 {
     static const struct { const char *name, *same, *why; } names[] = {
         { "HSAO-Best", "hsao_best", NULL }, { "hsao,best", "hsao-best", NULL },
-        { "hsao-best,fast", "hsao-fast", NULL }, { "hsao,half=quarter-in-turn", "hsao,half=4", NULL },
-        { "hsao,", "hsao", NULL }, { "hsao-history", "hsao,history=1,directions=1,steps=12,filter_radius=1", NULL },
+        { "hsao-best,fast", "hsao-fast", NULL }, { "hsao,resolution=quarter-in-turn", "hsao,resolution=quarter_in_turn", NULL },
+        { "hsao,", "hsao", NULL }, { "hsao-history", "hsao,history=1,slices=1,samples=12,filter_radius=1", NULL },
         { "hsao-fast,thickness=CONSTANT", "hsao-fast", NULL },
         { "gtao", NULL, "name: there is no such method; the nearest are hsao, hsao-fast" },
         { "hbao-plus", NULL, "name: there is no such method; the nearest are hsao, hsao-fast" },
         { "ssdo-bset", NULL, "name: there is no such method; the nearest are ssdo, ssdo-fast" },
         { "surfels", NULL, "name: there is no such method; the nearest are dss, dss-fast" },
         { "", NULL, "name: there is" },
-        { "hsao,stepz=3", NULL, "name: there is no such field; the nearest is steps" },
+        { "hsao,samplez=3", NULL, "name: there is no such field; the nearest is samples" },
         { "hsao,histori=1", NULL, "name: there is no such field; the nearest is history" },
         { "hsao,lights.shadw=1", NULL, "name: there is no such field; the nearest is shadow" },
-        { "hsao,steps=65", NULL, "desc.gather.steps: must be 0..64" },
-        { "hsao,steps=", NULL, "desc.gather.steps: must" }, { "hsao,steps=-1", NULL, "desc.gather.steps: must" },
-        { "hsao,steps=4294967297", NULL, "desc.gather.steps: must" },
+        { "hsao,samples=65", NULL, "desc.gather.samples: must be 0..64" },
+        { "hsao,samples=", NULL, "desc.gather.samples: must" }, { "hsao,samples=-1", NULL, "desc.gather.samples: must" },
+        { "hsao,samples=4294967297", NULL, "desc.gather.samples: must" },
         { "hsao,depth=near", NULL, "desc.input.depth: must be SSGI_GL_DEPTH_" },
         { "hsao,blur=2", NULL, "chain.blur: must" }, { "hsao,search=points", NULL, "desc.gather.search: hsao is" },
         { "hsao,steps", NULL, "name: must be NAME[,PRESET]" }, { "hsao,,best", NULL, "name: must be NAME[,PRESET]" },
@@ -425,7 +425,7 @@ static void onto_a_picture(void)
             chain = chain_of(&h, &run, SSGI_GL_PASS_HSAO);
             chain.desc.filter.onto = onto;
             chain.blur = blur;
-            if (!blur) chain.desc.gather.half = 0;
+            if (!blur) chain.desc.gather.resolution = 0;
             h.picture = keep(&h, kit_texture(W, H, GL_RGBA32F, half));
             h.yours[SSGI_GL_YOUR_AMBIENT] = keep(&h, kit_texture(W, H, GL_RGBA32F, quarter));
             if (!opened(&h, &chain)) return;
@@ -500,18 +500,18 @@ static void refusals(void)
         { "chain.history: filters", "pass=HSAO,history=1" },
         { "chain: nothing lights", "pass=SSDO,bounce=1" },
         { "chain: nothing lights", "pass=SSDO,bounce=1,onto=MULTIPLY" },
-        { "chain: nothing lights", "pass=SPLAT,effect=LIGHT" },
+        { "chain: nothing lights", "pass=DSS,effect=LIGHT" },
         { "chain.direct", "pass=SSDO,search=POINTS,bounce=1,views=1,direct=1" },
         { "chain.direct", "pass=SSDO,search=POINTS,bounce=1,layers=2,direct=1" },
         { "chain.desc.light.shading", "pass=S3HO,shading=BENT,blur=1" },
         { "chain.desc.light.shading", "pass=S3HO,shading=BENT,blur=1,history=1" },
         { "chain.desc.light.shading", "pass=S3HO,shading=BENT,onto=MULTIPLY" },
         { "chain.desc.light.shading", "pass=S3HO,shading=BENT,lights" },
-        { "chain.desc.light.dimmed", "pass=S3HO,packed=1,transfer=BOTH,dimmed=1,coefficients=1" },
-        { "chain.desc.light.dimmed", "pass=S3HO,packed=1,transfer=BOTH,dimmed=1,blur=1" },
-        { "chain.desc.light.dimmed", "pass=S3HO,packed=1,transfer=REFLECTED,dimmed=1,blur=1,coefficients=1" },
-        { "desc.gather.steps", "pass=HSAO,steps=65" },
-        { "desc.light.packed", "pass=S3HO,transfer=BOTH" }
+        { "chain.desc.light.occluded_emitters", "pass=S3HO,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,coefficients=1" },
+        { "chain.desc.light.occluded_emitters", "pass=S3HO,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,blur=1" },
+        { "chain.desc.light.occluded_emitters", "pass=S3HO,packed_coefficients=1,transfer=REFLECTED,occluded_emitters=1,blur=1,coefficients=1" },
+        { "desc.gather.samples", "pass=HSAO,samples=65" },
+        { "desc.light.packed_coefficients", "pass=S3HO,transfer=BOTH" }
     };
     const ssgi_gl_chain flat = { .desc.pass = SSGI_GL_PASS_HSAO, .height = 8 };
     ssgi_gl_step step, was;
@@ -699,8 +699,8 @@ static void widths(void)
         { -1, 0, "pass=HSAO,search=MARCH,layers=2" },
         { -1, 0, "pass=SSAO" },
         { -1, 0, "pass=SSAO,thickness=BACK" },
-        { 1, SSGI_GL_THICKNESS_WIDTH, "pass=SPLAT,span=4" },
-        { -1, 0, "pass=SPLAT,span=4,thickness=CONSTANT" },
+        { 1, SSGI_GL_THICKNESS_WIDTH, "pass=DSS,span=4" },
+        { -1, 0, "pass=DSS,span=4,thickness=CONSTANT" },
         { 0, SSGI_GL_THICKNESS_WIDTH, "pass=SSAO,thickness=WIDTH" }
     };
     const ssgi_gl_desc alone = { .pass = SSGI_GL_PASS_HSAO }, resolved = ssgi_gl_resolve(&alone);
@@ -751,9 +751,9 @@ static void widths(void)
 static void formats(void)
 {
     static const char *const chains[] = {
-        "pass=SSAO,blur=1", "pass=HSAO,half=1,blur=1", "pass=FIELD", "pass=SSDO,environment=MAP,bounce=1,blur=1",
-        "pass=S3HO,bands=1,blur=1", "pass=S3HO,packed=1,bands=3,blur=1,dialect=VULKAN,dense=1,texture_set=1",
-        "pass=SPLAT,blur=1", "pass=SPLAT,effect=LIGHT,environment=MAP,blur=1" };
+        "pass=SSAO,blur=1", "pass=HSAO,resolution=half,blur=1", "pass=AOF", "pass=SSDO,environment=MAP,bounce=1,blur=1",
+        "pass=S3HO,bands=1,blur=1", "pass=S3HO,packed_coefficients=1,bands=3,blur=1,dialect=VULKAN,dense=1,texture_set=1",
+        "pass=DSS,blur=1", "pass=DSS,effect=LIGHT,environment=MAP,blur=1" };
     for (int i = 0; i < (int)(sizeof chains / sizeof *chains); ++i) {
         ssgi_gl_step step[STEPS];
         ssgi_gl_chain chain = chain_in(chains[i]);
@@ -781,7 +781,7 @@ static void formats(void)
                 int r = 0;
                 while (r < rows && strcmp(row[r].name, in->name)) ++r;
                 CHECK(r < rows && in->unit == row[r].slot
-                          && (step[k].desc.text.dialect != SSGI_GL_DIALECT_VULKAN
+                          && (step[k].desc.shader.dialect != SSGI_GL_DIALECT_VULKAN
                               || (in->set == row[r].set && in->binding == row[r].binding)),
                       "%s: %s is not where its row says", ssgi_gl_pass_name(step[k].desc.pass), in->name);
             }
@@ -800,8 +800,8 @@ static void results(void)
         { "o_ssgi_picture", 3, "pass=SSDO,environment=MAP,onto=AMBIENT" },
         /* of virtual point lights, added to the bounce */
         { "o_ssgi_light", 6, "pass=SSDO,environment=MAP,bounce=SOLID_ANGLE,vpls=1,direct=1,lights" },
-        { "o_ssgi_picture", 10, "pass=SPLAT,span=4,levels=2,onto=AMBIENT" },
-        { "o_ssgi_ao", 1, "pass=FIELD,objects=TEXTURE" },
+        { "o_ssgi_picture", 10, "pass=DSS,span=4,levels=2,onto=AMBIENT" },
+        { "o_ssgi_ao", 1, "pass=AOF,objects=TEXTURE" },
         { "o_ssgi_ao", 1, "pass=SSAO,layers=2" },
         { "o_ssgi_ao", 5, "pass=HSAO,thickness=SLABS,motion=1,blur=1,history=1" }
     };
@@ -843,7 +843,7 @@ static void room_for_steps(void)
     static const struct { ssgi_gl_pass pass; int parts, effects; } row[] = {
         { SSGI_GL_PASS_SSAO, HISTORY | ONTO, 1 }, { SSGI_GL_PASS_HSAO, HISTORY | ONTO, 1 },
         { SSGI_GL_PASS_SSDO, ALL - 1, 1 },        { SSGI_GL_PASS_S3HO, ALL - 1 - ENVIRONMENT, 1 },
-        { SSGI_GL_PASS_FIELD, ONTO, 1 },          { SSGI_GL_PASS_SPLAT, ALL - 1 - C, SSGI_GL_EFFECT_SPECULAR } };
+        { SSGI_GL_PASS_AOF, ONTO, 1 },          { SSGI_GL_PASS_DSS, ALL - 1 - C, SSGI_GL_EFFECT_SPECULAR } };
     static ssgi_gl_step step[STEPS];
     int most = 0, textures = 0, chains = 0;
     for (size_t i = 0; i < sizeof row / sizeof *row; ++i)
@@ -855,7 +855,7 @@ static void room_for_steps(void)
                                           .light.environment = has & ENVIRONMENT ? SSGI_GL_ENVIRONMENT_MAP : 0,
                                           .light.bounce = has & BOUNCE ? SSGI_GL_BOUNCE_SOLID_ANGLE : 0,
                                           .light.transfer = has & BOUNCE ? SSGI_GL_TRANSFER_BOTH : 0,
-                                          .light.packed = (has & BOUNCE) != 0,
+                                          .light.packed_coefficients = (has & BOUNCE) != 0,
                                           .light.shaded = (has & B) != 0,
                                           .surfel.effect = effect,
                                           .surfel.span = has & B ? 6 : 0,
@@ -895,14 +895,14 @@ static void any_desc(ssgi_gl_desc *d)
         const int value = t_below(4) ? 0 : (int)t_below((uint32_t)c->most + 1);
         memcpy((char *)d + c->offset, &value, sizeof value);
     }
-    d->text.dialect = SSGI_GL_DIALECT_450;
-    d->text.fetch = T_FETCH;
+    d->shader.dialect = SSGI_GL_DIALECT_450;
+    d->shader.fetch = T_FETCH;
 }
 
 static ssgi_gl_chain any_chain(void)
 {
     static const int passes[] = { SSGI_GL_PASS_SSAO, SSGI_GL_PASS_HSAO,  SSGI_GL_PASS_SSDO,
-                                  SSGI_GL_PASS_S3HO, SSGI_GL_PASS_FIELD, SSGI_GL_PASS_SPLAT };
+                                  SSGI_GL_PASS_S3HO, SSGI_GL_PASS_AOF, SSGI_GL_PASS_DSS };
     ssgi_gl_chain chain;
     memset(&chain, 0, sizeof chain);
     any_desc(&chain.desc);

@@ -746,7 +746,7 @@ static int begin_deep(deep *d, const char *method, const char *set, float radius
 {
     const kit_world world = { &d->scene, lighting };
     kit_method m;
-    if (!TRY(kit_method_find(&m, method, &err)) || !TRY(kit_method_set(&m, "half=0", &err))
+    if (!TRY(kit_method_find(&m, method, &err)) || !TRY(kit_method_set(&m, "resolution=full", &err))
         || !TRY(kit_method_set(&m, set, &err)))
         return 0;
     m.custom = custom;
@@ -898,8 +898,8 @@ static void interleaving(void)
         const char *set;
         int part, level[2];
     } row[3] = { { "size=0.2,levels=5", 1, { 64, 48 } },
-                 { "size=0.2,levels=5,half=first", 2, { 32, 32 } },
-                 { "size=0.2,levels=5,half=quarter", 4, { 16, 16 } } };
+                 { "size=0.2,levels=5,resolution=half", 2, { 32, 32 } },
+                 { "size=0.2,levels=5,resolution=quarter", 4, { 16, 16 } } };
     for (int k = 0; k < 3; ++k) {
         const int part = row[k].part, w = (W + part - 1) / part, h = (H + part - 1) / part;
         deep d;
@@ -976,7 +976,7 @@ static double brought(const deep *d, const splatted *of, const ssgi_surfel *s, i
     return (double)form_factor(&wide, p, n) * fade * (of->enlarge ? 1 : 1 << 2 * l);
 }
 
-/* SSGI_GL_PASS_SPLAT, _DEINTERLEAVE and _SUM: how far a picture is from that sum over all surfels, at every step-th
+/* SSGI_GL_PASS_DSS, _DEINTERLEAVE and _SUM: how far a picture is from that sum over all surfels, at every step-th
    pixel; most: the largest sum. What is not seen is 1. */
 typedef struct offset { double worst, most, rmse, bias, dark; int off, pixels; } offset;
 
@@ -1253,8 +1253,8 @@ static void turned_over(void)
         "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 c, float e) { return r * sqrt(1.0 / e - 1.0); }\n"
         "vec4 ssgi_custom_effect(vec3 p, vec3 n, float r, vec3 c, vec3 P, vec3 m) { return vec4(0.1); }\n";
     static const struct { const char *method, *set, *channel, *custom;
-    } row[] = { { "dss", "half=first,two_sided=1,near_samples=1,span=0", "Y", NULL },
-                { "dss-scatter", "half=first,shadows=none,levels=1,epsilon=0.3,unit=0.05", "irradiance.R", NULL },
+    } row[] = { { "dss", "resolution=half,two_sided=1,near_samples=1,span=0", "Y", NULL },
+                { "dss-scatter", "resolution=half,shadows=none,levels=1,epsilon=0.3,unit=0.05", "irradiance.R", NULL },
                 { "dss-gloss", "shadows=none", "irradiance.R", even } };
     kit_lighting l;
     if (!lighten(&l, "white", NULL)) return;
@@ -1294,7 +1294,7 @@ static void half_size(void)
         deep d[2];
         kit_image out[2], none;
         for (int half = 0; half < 2; ++half) {
-            snprintf(set, sizeof set, "size=0.06,levels=4,half=%s,span=%d", half ? "first" : "none", alone ? 0 : 6);
+            snprintf(set, sizeof set, "size=0.06,levels=4,resolution=%s,span=%d", half ? "half" : "full", alone ? 0 : 6);
             if (!dive(&d[half], "boxes", NULL, 0, NULL, 256, 144, lit ? "dss-lit" : "dss", set, 0.6f, lit ? &l : NULL)
                 || !drawn(&out[half], &d[half].run))
                 return;

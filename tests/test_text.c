@@ -47,7 +47,7 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
 /* How many values of a field variants have, from 0 on: all words, of a count the first few. */
 static int values_of(const ssgi_gl_choice *c)
 {
-    const int own = !strncmp(c->field, "text.", 5) || !strcmp(c->name, "pass") || !strcmp(c->name, "search")
+    const int own = !strncmp(c->field, "shader.", 7) || !strcmp(c->name, "pass") || !strcmp(c->name, "search")
                     || !strcmp(c->name, "tessellate");      /* A shape has its own, a text that is compiled, too. */
     return own ? 0 : *c->values || c->most < 3 ? c->most + 1 : c->most < 5 ? 4 : 3;
 }
@@ -66,10 +66,10 @@ static const char *describe(const ssgi_gl_desc *d)
 /* The stages of a pass, a bit each. */
 static int stages_of(const ssgi_gl_desc *d)
 {
-    const int tessellated = d->surfel.tessellate && (d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_SPLAT);
+    const int tessellated = d->surfel.tessellate && (d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_DSS);
     return 1 << SSGI_GL_STAGE_VERTEX | 1 << SSGI_GL_STAGE_FRAGMENT
            | (tessellated ? 1 << SSGI_GL_STAGE_TESS_CONTROL | 1 << SSGI_GL_STAGE_TESS_EVALUATION : 0)
-           | (tessellated && d->pass == SSGI_GL_PASS_SPLAT ? 1 << SSGI_GL_STAGE_GEOMETRY : 0);
+           | (tessellated && d->pass == SSGI_GL_PASS_DSS ? 1 << SSGI_GL_STAGE_GEOMETRY : 0);
 }
 
 /* The text of a stage, "" of one that the pass does not have. */
@@ -84,7 +84,7 @@ static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
 /* Is the vertex stage more than a triangle? */
 static int has_vertices(const ssgi_gl_desc *d)
 {
-    return d->pass == SSGI_GL_PASS_FIELD || d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_SPLAT;
+    return d->pass == SSGI_GL_PASS_AOF || d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_DSS;
 }
 
 /* A set of hashes: whether it had this one. It has it then. */
@@ -154,7 +154,7 @@ static void make_variants(void)
     t_seed(1);
     for (int i = 0; i < 6 * SSGI_GL_PASSES; ++i) {
         ssgi_gl_desc d = { .pass = i / 6, .gather.search = i % 3, .surfel.tessellate = i / 3 % 2,
-                           .text.dialect = SSGI_GL_DIALECT_450, .text.fetch = T_FETCH };
+                           .shader.dialect = SSGI_GL_DIALECT_450, .shader.fetch = T_FETCH };
         if (d.pass == SSGI_GL_PASS_SSDO) d.light.environment = SSGI_GL_ENVIRONMENT_SH;
         ssgi_gl_desc slices = d, whole = d;
         slices.gather.search = whole.surfel.tessellate = 0;
@@ -196,13 +196,13 @@ static struct { int texts, vulkan, read; char problem[1000]; } glslang;
 
 static int is_es(const ssgi_gl_desc *d)
 {
-    return d->text.dialect >= SSGI_GL_DIALECT_300ES && d->text.dialect <= SSGI_GL_DIALECT_320ES;
+    return d->shader.dialect >= SSGI_GL_DIALECT_300ES && d->shader.dialect <= SSGI_GL_DIALECT_320ES;
 }
 
 /* The functions of pass FIELD, else those that read the pass's result; 0: it has none. */
 static size_t toolbox_of(char *out, size_t capacity, const ssgi_gl_desc *d)
 {
-    return d->pass == SSGI_GL_PASS_FIELD ? ssgi_gl_field(out, capacity, d) : ssgi_gl_read(out, capacity, d);
+    return d->pass == SSGI_GL_PASS_AOF ? ssgi_gl_field(out, capacity, d) : ssgi_gl_read(out, capacity, d);
 }
 
 /* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of toolbox_of, in a fragment shader that calls
@@ -215,7 +215,7 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
     size_t n = strcspn(emit(text, d, SSGI_GL_STAGE_VERTEX), "\n") + 1;      /* the version */
     n += (size_t)snprintf(text + n, TEXT - n, "%s",
                           is_es(d) ? "precision highp float;\nprecision highp int;\n"
-                          : d->text.dialect == SSGI_GL_DIALECT_VULKAN
+                          : d->shader.dialect == SSGI_GL_DIALECT_VULKAN
                               ? "#extension GL_EXT_samplerless_texture_functions : require\n"
                               : "");
     n += toolbox_of(text + n, TEXT - n, d);
@@ -246,7 +246,7 @@ static void speak_once(const ssgi_gl_desc *d, int stage)
 static int takes(ssgi_gl_desc *d, int way, int turn)
 {
     for (int k = 0; k < 3; ++k) {
-        d->text.dialect = way == 2 ? SSGI_GL_DIALECT_VULKAN : way * 3 + (turn + k) % 3;
+        d->shader.dialect = way == 2 ? SSGI_GL_DIALECT_VULKAN : way * 3 + (turn + k) % 3;
         if (ssgi_gl_check(d, NULL) == SSGI_OK) return 1;
     }
     return 0;
@@ -255,9 +255,9 @@ static int takes(ssgi_gl_desc *d, int way, int turn)
 /* Gives a desc sets and dense bindings, others by each number: in Vulkan's dialect, which alone looks at them. */
 static void placed(ssgi_gl_desc *d, int number)
 {
-    d->text.block_set = number % 3;
-    d->text.texture_set = number / 3 % 3;
-    d->text.dense = number / 9 % 2;
+    d->shader.block_set = number % 3;
+    d->shader.texture_set = number / 3 % 3;
+    d->shader.dense = number / 9 % 2;
 }
 
 /* Every variant in a desktop dialect, in an ES one or in Vulkan's, in turn, of those that it may have; with T_ALL in
@@ -271,14 +271,14 @@ static void speak(void)
         int turn = first % 3;                  /* the kind of dialect whose turn it is, if the desc has it */
         for (int k = 0; k < 2 && !takes(&d, turn, first); ++k) turn = (turn + 1) % 3;
         if ((!t_all() && i % 3 != turn) || !takes(&d, i % 3, first)) continue;
-        d.text.lines = first % 8 == 0;
-        d.text.uniforms = first % 5 == 0 && i % 3 != 2;
+        d.shader.lines = first % 8 == 0;
+        d.shader.uniforms = first % 5 == 0 && i % 3 != 2;
         placed(&d, first);
         speak_once(&d, has_vertices(&d) ? PROGRAM : SSGI_GL_STAGE_FRAGMENT);
-        if (d.pass != SSGI_GL_PASS_FIELD && toolbox_of(NULL, 0, &d)) speak_once(&d, TOOLBOX);
+        if (d.pass != SSGI_GL_PASS_AOF && toolbox_of(NULL, 0, &d)) speak_once(&d, TOOLBOX);
     }
     for (int i = 0; i < SSGI_GL_DIALECTS; ++i) {
-        const ssgi_gl_desc plain = { .text.dialect = i }, field = { .pass = SSGI_GL_PASS_FIELD, .text.dialect = i };
+        const ssgi_gl_desc plain = { .shader.dialect = i }, field = { .pass = SSGI_GL_PASS_AOF, .shader.dialect = i };
         speak_once(&plain, SSGI_GL_STAGE_VERTEX);
         speak_once(&field, TOOLBOX);
     }
@@ -295,7 +295,7 @@ static void *glslang_run(void *folder)
     char path[1000], line[400], name[400] = "0";
     int passed = 0;
     for (int i = 0; i < texts; ++i, ++glslang.texts) {
-        const int all = spoken[i].stage == PROGRAM, vulkan = spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN;
+        const int all = spoken[i].stage == PROGRAM, vulkan = spoken[i].desc.shader.dialect == SSGI_GL_DIALECT_VULKAN;
         for (int stage = all ? 0 : spoken[i].stage; stage < (all ? SSGI_GL_STAGES : spoken[i].stage + 1); ++stage) {
             const size_t n = strlen(source_of(text, &spoken[i].desc, stage));
             snprintf(path, sizeof path, "%s/%s%d.%s", (char *)folder, vulkan ? "v" : "", i, endings[stage]);
@@ -390,7 +390,7 @@ static void compilers(void)
         if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
         for (int i = 0, bad = 0; i < texts && bad < 3; ++i) {
-            if (is_es(&spoken[i].desc) != es || spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN) continue;
+            if (is_es(&spoken[i].desc) != es || spoken[i].desc.shader.dialect == SSGI_GL_DIALECT_VULKAN) continue;
             bad += !compiles(&spoken[i].desc, spoken[i].stage);
             ++tried;
         }
@@ -421,7 +421,7 @@ static size_t any_text(int k, char *out, size_t capacity)
 static void law(void)
 {
     static char full[TEXT], part[TEXT], clean[TEXT];
-    const ssgi_gl_desc fine = { 0 }, bad = { .gather.steps = 65 };
+    const ssgi_gl_desc fine = { 0 }, bad = { .gather.samples = 65 };
     memset(clean, 0x5a, sizeof clean);
     memcpy(part, clean, sizeof part);
     for (int k = 0; k < 40; ++k) {
@@ -451,11 +451,11 @@ static void same_bytes(void)
     static const char *const names[] = { "de_DE.UTF-8", "de_DE.utf8",  "de_DE",      "fr_FR.UTF-8",
                                          "fr_FR.utf8",  "nl_NL.UTF-8", "it_IT.UTF-8" };
     const char *with = NULL;
-    ssgi_gl_desc a = { .text.version = "#version 330 core\n", .text.fetch = T_FETCH },
+    ssgi_gl_desc a = { .shader.version = "#version 330 core\n", .shader.fetch = T_FETCH },
                  b = a; /* ssao: the kernel's numbers */
     char version[] = "#version 330 core\n", fetch[] = T_FETCH;
-    b.text.version = version;
-    b.text.fetch = fetch;
+    b.shader.version = version;
+    b.shader.fetch = fetch;
     emit(one, &a, SSGI_GL_STAGE_FRAGMENT);
     CHECK(!strcmp(one, emit(two, &b, SSGI_GL_STAGE_FRAGMENT)) && ssgi_gl_key(&a) == ssgi_gl_key(&b),
           "equal strings at another place change the text or the key");
@@ -481,7 +481,7 @@ static void ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
     static const struct { const char *name; size_t most; } blocks[] = { { "ssgi_frame", sizeof(ssgi_gl_frame) },
                                                                         { "ssgi_views", sizeof(ssgi_gl_views) } };
-    const int bound = d->text.dialect == SSGI_GL_DIALECT_450;
+    const int bound = d->shader.dialect == SSGI_GL_DIALECT_450;
     GLint uniforms = 0;
     GLuint program = linked(d);
     if (!program) return;
@@ -526,7 +526,7 @@ static void ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
    attributes and captures count up; a constant is declared with its value. */
 static void check_places(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows, const char *fragment)
 {
-    const int vulkan = d->text.dialect == SSGI_GL_DIALECT_VULKAN;
+    const int vulkan = d->shader.dialect == SSGI_GL_DIALECT_VULKAN;
     uint32_t taken[3] = { 0 };
     int next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block = -1;
     char line[100];
@@ -555,7 +555,7 @@ static void reflection(void)
     int asked = 0, tried = 0;
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
-        d.text.dialect = i % SSGI_GL_DIALECTS;
+        d.shader.dialect = i % SSGI_GL_DIALECTS;
         placed(&d, i / SSGI_GL_DIALECTS);
         if (!t_all() && i % 5) continue;    /* the dialects in turn, as their number is no multiple of 5 */
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* no tessellation there */
@@ -565,7 +565,7 @@ static void reflection(void)
         CHECK(ssgi_gl_reflect(&d, few, 1) == rows && few[0].name == row[0].name && few[1].name == row[3].name,
               "more rows than there is room for");
         ++tried;
-        if (d.text.dialect > SSGI_GL_DIALECT_450 || !desktop || i % 3) continue;
+        if (d.shader.dialect > SSGI_GL_DIALECT_450 || !desktop || i % 3) continue;
         ask_gl(&d, row, rows);
         ++asked;
     }
@@ -588,7 +588,7 @@ static void loose_uniforms(void)
         ssgi_gl_desc d = variant[i], loose;
         if (!takes(&d, i & 1, i)) continue;
         loose = d;
-        loose.text.uniforms = SSGI_GL_UNIFORMS_LOOSE;
+        loose.shader.uniforms = SSGI_GL_UNIFORMS_LOOSE;
         memset(row, 0, sizeof row);
         CHECK(ssgi_gl_reflect(&d, row[0], SSGI_GL_MAX_IO) == ssgi_gl_reflect(&loose, row[1], SSGI_GL_MAX_IO)
                   && !memcmp(row[0], row[1], sizeof row[0]),
@@ -678,13 +678,13 @@ static void places_in_spirv(void)
         { "ssao,dense=1", "t_ssgi_depth", 1 },
         { "ssao,block_set=1,views=1", "t_ssgi_views", 6 },
         { "ssao,block_set=1,views=1", "ssgi_views", 101 },
-        { "field,texture_set=1,cap_table=1", "t_ssgi_cap", 107 } };
+        { "aof,texture_set=1,cap_table=1", "t_ssgi_cap", 107 } };
     char folder[] = "/tmp/ssgi-text-XXXXXX", line[100];
     int told = 0, programs = 0;
     if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
     for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
         ssgi_gl_desc d = desc_of(row[i].desc);
-        d.text.dialect = SSGI_GL_DIALECT_VULKAN;
+        d.shader.dialect = SSGI_GL_DIALECT_VULKAN;
         told += asked_of_spirv(folder, &d, row[i].name, row[i].place);
     }
     for (int i = 0; i < variants; ++i) {                   /* stages that hand on more than a place on the screen */
@@ -707,7 +707,7 @@ static void translated(void)
         { "hlsl", "register(t%d);", "gl_Position.y = -", "command -v spirv-cross", "spirv-cross (apt-get)" },
         { "msl", "[[texture(%d)]]", "gl_Position.y = -", "command -v spirv-cross", "spirv-cross (apt-get)" } };
     static const char *const descs[] = { "hsao", "ssdo,environment=map,bounce=1", "s3ho", "blur,dense=1", "history",
-                                         "field", "splat" };
+                                         "aof", "dss" };
     enum { TEXTS = 2 * (int)(sizeof descs / sizeof *descs) };
     static char text[TEXT];
     char folder[] = "/tmp/ssgi-text-XXXXXX", path[300], line[400], *got;
@@ -716,7 +716,7 @@ static void translated(void)
     if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
     for (int i = 0; i < TEXTS; ++i) {
         ssgi_gl_desc d = desc_of(descs[i / 2]);
-        d.text.dialect = SSGI_GL_DIALECT_VULKAN;
+        d.shader.dialect = SSGI_GL_DIALECT_VULKAN;
         snprintf(path, sizeof path, "%s/%s.vulkan.%s", folder, ssgi_gl_pass_name(d.pass), endings[i % 2]);
         CHECK(!kit_file_write(path, text, strlen(emit(text, &d, i % 2)), NULL), "%s cannot be written", path);
     }
@@ -729,7 +729,7 @@ static void translated(void)
         if (!CHECK(!system(line), "%s", line)) continue;
         for (int i = 0; i < TEXTS; ++i) {
             ssgi_gl_desc d = desc_of(descs[i / 2]);
-            d.text.dialect = SSGI_GL_DIALECT_VULKAN;
+            d.shader.dialect = SSGI_GL_DIALECT_VULKAN;
             snprintf(path, sizeof path, "%s/%s.vulkan.%s.%s", folder, ssgi_gl_pass_name(d.pass), endings[i % 2],
                      into[k].ending);
             if (!CHECK(!kit_file_read(&got, &size, path, NULL), "%s is missing", path)) continue;
@@ -878,7 +878,7 @@ static void lint(void)
         for (const char *line = c, *end; *line && spoken[i].stage != TOOLBOX; line = end + (*end != 0)) {
             end = line + strcspn(line, "\n");
             if (!had(&lines, line, (size_t)(end - line)))
-                lint_line(line, end, spoken[i].desc.text.dialect == SSGI_GL_DIALECT_VULKAN);
+                lint_line(line, end, spoken[i].desc.shader.dialect == SSGI_GL_DIALECT_VULKAN);
         }
         while (((*c >= ' ' && *c < 127) || *c == '\n') && !(c[0] == '_' && c[1] == '_')
                && !(c[0] == ' ' && c[1] == '\n') && *c != '\\')
@@ -895,7 +895,7 @@ static void lint(void)
 
 #define NAMES(sentence, start) (strncmp(sentence, start, strlen(start)) == 0)
 
-/* How a sentence must begin; NULL: it is none. Those on desc.text.fetch are of a desc without. */
+/* How a sentence must begin; NULL: it is none. Those on desc.shader.fetch are of a desc without. */
 static const struct { const char *start, *desc; } rules[] = {
     { "desc.gather.normal_rays:", "hsao,normal_rays=1" },
     { "desc.input.world_normals:", "ssao,normal=from_depth,world_normals=1" },
@@ -913,10 +913,10 @@ static const struct { const char *start, *desc; } rules[] = {
     { "desc.gather.falloff:", "s3ho,search=points,falloff=none" },
     { NULL, "s3ho,falloff=none" },
     { "desc.filter.quantity:", "history,quantity=coefficients" },
-    { "desc.filter.kind:", "blur,half=1,filter=gaussian" },
+    { "desc.filter.kind:", "blur,resolution=half,filter=gaussian" },
     { "desc.light.environment:", "ssdo" },
-    { "desc.light.restore:", "shade,packed=1,transfer=1,restore=ratio" },
-    { NULL, "shade,packed=1,transfer=1,restore=difference" },
+    { "desc.light.restore:", "shade,packed_coefficients=1,transfer=1,restore=ratio" },
+    { NULL, "shade,packed_coefficients=1,transfer=1,restore=difference" },
     { "desc.light.receiver:", "lights,receiver=1" },
     { "desc.light.receiver:", "emitters,layers=3,receiver=3" },
     { "desc.light.receiver:", "lights,layers=2,receiver=1,normal=from_depth" },
@@ -925,34 +925,34 @@ static const struct { const char *start, *desc; } rules[] = {
     { "desc.input.multisampled:", "emitters,multisampled=1,layers=2,receiver=1" },
     { NULL, "ssao,multisampled=1,dialect=310es" },
     { "desc.input.array:", "ssao,layers=2,array=1" },
-    { "desc.text.fetch:", "ssao,depth=custom" },
-    { "desc.text.fetch:", "ssao,normal=custom" },
-    { "desc.text.fetch:", "field,objects=custom" },
-    { "desc.text.fetch:", "shade,harmonics=custom" },
-    { "desc.text.fetch:", "surfels,sends=custom" },
-    { "desc.text.fetch:", "splat,effect=custom" },
+    { "desc.shader.fetch:", "ssao,depth=custom" },
+    { "desc.shader.fetch:", "ssao,normal=custom" },
+    { "desc.shader.fetch:", "aof,objects=custom" },
+    { "desc.shader.fetch:", "shade,harmonics=custom" },
+    { "desc.shader.fetch:", "surfels,sends=custom" },
+    { "desc.shader.fetch:", "dss,effect=custom" },
     { "desc.light.residual:", "shade,residual=1,harmonics=custom" },
-    { "desc.light.dimmed:", "s3ho,search=points,packed=1,transfer=1,dimmed=1,layers=2" },
-    { "desc.light.dimmed:", "s3ho,search=points,packed=1,transfer=2,dimmed=1,views=1" },
-    { NULL, "s3ho,search=points,dimmed=1,layers=2" },
-    { "desc.light.packed:", "s3ho,transfer=1" },
-    { "desc.light.packed:", "shade,transfer=2" },
-    { "desc.light.packed:", "blur,quantity=coefficients,transfer=1" },
+    { "desc.light.occluded_emitters:", "s3ho,search=points,packed_coefficients=1,transfer=1,occluded_emitters=1,layers=2" },
+    { "desc.light.occluded_emitters:", "s3ho,search=points,packed_coefficients=1,transfer=2,occluded_emitters=1,views=1" },
+    { NULL, "s3ho,search=points,occluded_emitters=1,layers=2" },
+    { "desc.light.packed_coefficients:", "s3ho,transfer=1" },
+    { "desc.light.packed_coefficients:", "shade,transfer=2" },
+    { "desc.light.packed_coefficients:", "blur,quantity=coefficients,transfer=1" },
     { "desc.light.shading:", "shade,shading=1,bands=1" },
-    { "desc.light.shading:", "shade,shading=3,packed=1,transfer=1" },
+    { "desc.light.shading:", "shade,shading=3,packed_coefficients=1,transfer=1" },
     { "desc.surfel.tessellate:", "surfels,tessellate=1" },
-    { "desc.surfel.tessellate:", "splat,tessellate=1,dialect=310es" },
+    { "desc.surfel.tessellate:", "dss,tessellate=1,dialect=310es" },
     { "desc.pass:", "surfels,dialect=vulkan" },
-    { "desc.text.uniforms:", "ssao,uniforms=loose,dialect=vulkan" },
+    { "desc.shader.uniforms:", "ssao,uniforms=loose,dialect=vulkan" },
     { "desc.pass:", "surfels,tessellate=1,dialect=vulkan" },
     /* What is not kept has as many vectors as it likes; what a pass does not look at is no matter. */
     { NULL, "s3ho,transfer=1,shaded=1" },
     { NULL, "blur,quantity=light,transfer=1,shading=1,bands=1" },
-    { NULL, "splat,tessellate=1,dialect=320es" },
-    { NULL, "splat,tessellate=1,dialect=vulkan" },
+    { NULL, "dss,tessellate=1,dialect=320es" },
+    { NULL, "dss,tessellate=1,dialect=vulkan" },
     { NULL, "sum,tessellate=1" },
     { NULL, "shade,shading=1,bands=2" },
-    { NULL, "shade,bands=1,packed=1,transfer=2" }
+    { NULL, "shade,bands=1,packed_coefficients=1,transfer=2" }
 };
 
 /* Each limit and each rule is broken; a preset refuses as the check does. */
@@ -991,7 +991,7 @@ static void sentences(void)
     for (size_t i = 0; i < sizeof rules / sizeof *rules; ++i) {
         ssgi_gl_desc d = desc_of(rules[i].desc);
         const char *const start = rules[i].start ? rules[i].start : "";
-        d.text.fetch = NAMES(start, "desc.text.fetch:") ? NULL : T_FETCH;
+        d.shader.fetch = NAMES(start, "desc.shader.fetch:") ? NULL : T_FETCH;
         why = "";
         CHECK(ssgi_gl_check(&d, &why) == (*start ? SSGI_BAD_ARGUMENT : SSGI_OK) && (*start ? NAMES(why, start) : !*why),
               "%s: \"%s\"", rules[i].desc, why);
@@ -1051,49 +1051,49 @@ static void frames(void)
 static void defaults(void)
 {
     static const struct { const char *plain, *more; } rows[] = {
-        { "ssao", "samples=16,steps=1,layers=1,view_layers=1" },
-        { "hsao", "directions=1,steps=6" },
-        { "hsao,steps=4,thickness=slabs", "directions=1" },
-        { "ssao,thickness=back", "samples=16" },
-        { "hsao,search=march,normal_rays=1,views=1", "directions=6,steps=6,view_layers=1" },
-        { "hsao,search=march,terms=rays,layers=3", "normal_rays=1,spheres=1" },
-        { "hsao,search=march,layers=2", "terms=horizon,normal_rays=2" },
-        { "hsao", "terms=rays,spheres=1" },
-        { "ssdo,search=points,environment=map", "samples=16,steps=1,layers=1" },
-        { "ssdo,search=points,bounce=patch,kernel=1,layers=2,views=2,view_layers=3,steps=2,noise=texture",
-          "samples=16" },
+        { "ssao", "directions=16,samples=1,layers=1,view_layers=1" },
+        { "hsao", "slices=1,samples=6" },
+        { "hsao,samples=4,thickness=slabs", "slices=1" },
+        { "ssao,thickness=back", "directions=16" },
+        { "hsao,search=march,normal_rays=1,views=1", "directions=6,samples=6,view_layers=1" },
+        { "hsao,search=march,march_terms=rays,layers=3", "normal_rays=1,growing_sphere=1" },
+        { "hsao,search=march,layers=2", "march_terms=horizon,normal_rays=2" },
+        { "hsao", "march_terms=rays,growing_sphere=1" },
+        { "ssdo,search=points,environment=map", "directions=16,samples=1,layers=1" },
+        { "ssdo,search=points,bounce=patch,kernel_texture=1,layers=2,views=2,view_layers=3,samples=2,noise=texture",
+          "directions=16" },
         { "lights", "samples=8,layers=1" },
         { "lights,shadow=fill,accumulate=1", "samples=8" },
         { "lights,shadow=none", "samples=64,noise=texture,thickness=solid" },
         { "emitters,radiance=both", "layers=1" },
         { "ssdo,search=points,environment=sh", "bands=3" },
-        { "s3ho,search=points", "samples=16,steps=1,layers=1,bands=4" },
-        { "s3ho,search=points,transfer=1,packed=1,kernel=1,layers=3,views=1,view_layers=2,steps=2,noise=texture",
-          "samples=16" },
+        { "s3ho,search=points", "directions=16,samples=1,layers=1,bands=4" },
+        { "s3ho,search=points,transfer=1,packed_coefficients=1,kernel_texture=1,layers=3,views=1,view_layers=2,samples=2,noise=texture",
+          "directions=16" },
         { "s3ho,search=points,shaded=1,residual=1", "bands=4" },
         { "shade", "bands=4" },
-        { "shade,residual=1,lights=1", "bands=4" },
-        { "shade,bands=2,lights=1", "samples=1" },
-        { "shade,packed=1,transfer=1,albedo=1", "transfer=2,bands=4" },
+        { "shade,residual=1,harmonic_lights=1", "bands=4" },
+        { "shade,bands=2,harmonic_lights=1", "directions=1" },
+        { "shade,packed_coefficients=1,transfer=1,albedo=1", "transfer=2,bands=4" },
         { "shade,shading=2", "bands=2" },
-        { "shade,shading=1,lights=1", "bands=4" },
-        { "shade,shading=3,packed=1,lights=1,albedo=1", "lights=0,albedo=0,bands=3" },
-        { "field", "samples=64,layers=8,half=1" },
-        { "field,objects=texture,normal=from_depth", "half=1" },
-        { "field,cap_table=1", "half=1" },
+        { "shade,shading=1,harmonic_lights=1", "bands=4" },
+        { "shade,shading=3,packed_coefficients=1,harmonic_lights=1,albedo=1", "harmonic_lights=0,albedo=0,bands=3" },
+        { "aof", "directions=64,layers=8,resolution=half" },
+        { "aof,objects=texture,normal=from_depth", "resolution=half" },
+        { "aof,cap_table=1", "resolution=half" },
         { "surfels", "shadow=map,environment=map,effect=bounce" },
-        { "surfels,dialect=410,tessellate=1,sends=lights,shadow=map,environment=sh", "half=1" },
+        { "surfels,dialect=410,tessellate=1,sends=lights,shadow=map,environment=sh", "resolution=half" },
         { "interleave,normal=from_depth", "levels=4" },
-        { "splat", "levels=4,near_samples=1,sends=lights" },
-        { "splat,effect=light", "levels=4,falloff=none" },
+        { "dss", "levels=4,near_samples=1,sends=lights" },
+        { "dss,effect=light", "levels=4,falloff=none" },
         { "deinterleave,effect=scatter", "levels=4" },
         { "smooth", "levels=4" },
         { "smooth,levels=2,filter_normals=1,normal=from_depth", "near_samples=1" },
         { "sum", "levels=4" },
         { "sum,levels=3,effect=light", "axis=1" },
         { "blur,quantity=coefficients", "bands=4,filter_radius=1" },
-        { "blur,quantity=coefficients,half=1,bands=3,filter_normals=1", "filter_radius=1" },
-        { "blur,quantity=coefficients,packed=1,transfer=2,filter=gaussian",
+        { "blur,quantity=coefficients,resolution=half,bands=3,filter_normals=1", "filter_radius=1" },
+        { "blur,quantity=coefficients,packed_coefficients=1,transfer=2,filter=gaussian",
           "transfer=1,filter_radius=2" },
         { "blur", "filter_radius=1" },
         { "blur,quantity=light,restore=ratio,environment=map", "filter_radius=1" },
@@ -1212,7 +1212,7 @@ static uint64_t drawn_passes(void)
             if ((method = ssgi_gl_method_at(m)) == NULL || ssgi_gl_chain_of(&chain, method->name, NULL)) continue;
             chain.width = 64;
             chain.height = 36;
-            chain.desc.text.dialect = chain.lights.text.dialect = SSGI_GL_DIALECT_450;
+            chain.desc.shader.dialect = chain.lights.shader.dialect = SSGI_GL_DIALECT_450;
             chain.blur = flags & 1;
             chain.history = flags >> 1 & 1;
             chain.lights.pass = flags & 4 ? SSGI_GL_PASS_LIGHTS : 0;

@@ -148,7 +148,7 @@ static void manifest(void)
         "default = {x['name']: x for x in m['frame']['members']}\n"
         "assert default['offset']['default'] == 1.5 and default['rotation']['default'] == [1,0,0,0, 0,1,0,0, 0,0,1,0]\n"
         "assert default['size']['default'] == 'view' and default['fade']['times'] == 'radius'\n"
-        "assert m['defaults']['hsao']['steps'] == 6 and m['defaults']['lights']['samples'] == 8\n"
+        "assert m['defaults']['hsao']['samples'] == 6 and m['defaults']['lights']['samples'] == 8\n"
         "print(len(m['variants']), 'variants')\n";
     if (!works("$G texts 300es") || !has("python3")) return;
     write_text("manifest.py", check);
@@ -168,7 +168,7 @@ static void own_chain(void)
         { "hsao own", "in which language" }, { "hsao --330", "the folder is missing" },
         { "hsao --glsl own", "--glsl: must be" } };
     works("$G --chain hsao,depth=linear --300es --450 own && test $(ls own | wc -l) = 13 && "
-          "grep -q 'SSGI_STEPS = 8' own/*2-hsao.450.frag && ! grep -q ssgi_decode own/*.frag");
+          "grep -q 'SSGI_SAMPLES = 8' own/*2-hsao.450.frag && ! grep -q ssgi_decode own/*.frag");
     works("$G --chain ssdo-points,environment=SH,bounce=PATCH,layers=8,views=4,view_layers=8,lights.layers=8,"
           "lights.views=4,lights.view_layers=8,vpls=1 --450 many && ls many/*.100-* && "
           "grep -q 'vpls=1\", \"dialect\": \"450\", \"about' many/manifest.json");
@@ -204,7 +204,7 @@ static void wasm(void)
         "    for (const v of m.variants) {\n"
         "        const desc = v.fetch ? { ...v.desc, fetch: m.fetch } : v.desc;\n"
         "        for (const [stage, file] of Object.entries(v.files))\n"
-        "            equal(ssgi.text(desc, stage), read(folder + '/' + file, 'utf8'), file);\n"
+        "            equal(ssgi.shader(desc, stage), read(folder + '/' + file, 'utf8'), file);\n"
         "        deepEqual(ssgi.rows(desc), m.row_lists[v.rows].map(i => m.rows[i]));\n"
         "    }\n"
         "    for (const c of m.chains) {\n"
@@ -214,7 +214,7 @@ static void wasm(void)
         "        for (const [i, step] of steps.entries()) {\n"
         "            const said = c.steps[i];\n"
         "            for (const [stage, file] of Object.entries(said.files))\n"
-        "                equal(ssgi.text(step.desc, stage), read(folder + '/' + file, 'utf8'), file);\n"
+        "                equal(ssgi.shader(step.desc, stage), read(folder + '/' + file, 'utf8'), file);\n"
         "            deepEqual(step.inputs.map(k => [k.name, k.unit, k.set, k.binding, k.meaning ?? k.texture, "
         "k.last]),\n"
         "                      said.inputs.map(k => [k.name, k.unit, k.set|0, k.binding, k.yours ?? k.texture, "
@@ -237,15 +237,15 @@ static void wasm(void)
         "deepEqual(Buffer.from(frame.buffer), read('frame.bin'));\n"
         "equal(frame.radius[0], 0.5);\n"
         "const d = ssgi.preset({ pass: 'HSAO', version: '' }, 'FAST');\n"
-        "equal(d.half, 'FIRST');\n"
-        "equal(ssgi.text(d).indexOf('#version'), -1);\n"
+        "equal(d.resolution, 'HALF');\n"
+        "equal(ssgi.shader(d).indexOf('#version'), -1);\n"
         "equal(typeof ssgi.key(d), 'bigint');\n"
-        "throws(() => ssgi.text({ pass: 'HSAO', steps: 99 }), /^Error: desc.gather.steps: must be 0..64$/);\n"
-        "throws(() => ssgi.text({ pass: 'NONE' }), /^Error: desc.pass: must be/);\n"
+        "throws(() => ssgi.shader({ pass: 'HSAO', samples: 99 }), /^Error: desc.gather.samples: must be 0..64$/);\n"
+        "throws(() => ssgi.shader({ pass: 'NONE' }), /^Error: desc.pass: must be/);\n"
         "equal(ssgi.read(d).match(/float ssgi_visibility_at/g).length, 1);\n"
         "throws(() => ssgi.read({ pass: 'EMITTERS' }), /^Error: desc.pass: /);\n"
         "equal(ssgi.reflection().match(/^float ssgi_specular_visibility/m).length, 1);\n"
-        "throws(() => ssgi.text({ stpes: 1 }), /^Error: desc.stpes: there is no such field$/);\n"
+        "throws(() => ssgi.shader({ smaples: 1 }), /^Error: desc.smaples: there is no such field$/);\n"
         "throws(() => ssgi.frame(view, -1), /^Error: radius: /);\n"
         "throws(() => ssgi.view(id, 0, 1), /^Error: width: /);\n"
         "throws(() => ssgi.preset({}, 'GOOD'), /^Error: preset: /);\n"
@@ -296,7 +296,7 @@ static void packages(void)
         "    check(drawn.length === steps.length, name);\n"
         "    for (const [i, { files }] of steps.entries())\n"
         "        for (const stage in files)\n"
-        "            check(ssgi.text(drawn[i].desc, stage) === text(`glsl/${files[stage]}`), files[stage]);\n"
+        "            check(ssgi.shader(drawn[i].desc, stage) === text(`glsl/${files[stage]}`), files[stage]);\n"
         "}\n"
         "for (const { steps } of gpu.chains)\n"
         "    for (const { files } of steps)\n"
@@ -352,7 +352,7 @@ static void bindings(void)
         "ffi = cffi.FFI()\n"
         "ffi.cdef(open('plain.h').read())\n"
         "lib = ffi.dlopen('./libssgi.so')\n"
-        "d = ffi.new('ssgi_gl_desc *', { 'text': { 'dialect': lib.SSGI_GL_DIALECT_300ES } })\n"
+        "d = ffi.new('ssgi_gl_desc *', { 'shader': { 'dialect': lib.SSGI_GL_DIALECT_300ES } })\n"
         "setattr(d, 'pass', lib.SSGI_GL_PASS_HSAO)\n"
         "n = lib.ssgi_gl_emit(ffi.NULL, 0, d, lib.SSGI_GL_STAGE_FRAGMENT)\n"
         "out = ffi.new('char[]', n + 1)\n"
@@ -415,7 +415,7 @@ static void sanitized(void)
         char line[300];
         snprintf(line, sizeof line, "ASAN_OPTIONS=detect_leaks=0 $T/build/render-sanitized boxes --size 64x36 "
                  "--out s.exr --method %s %s", m.name, m.lit ? "--env sky --light sun:1,2,1,3,3,3"
-                 : m.between ? "--set resolution=4,rays=16" : "");
+                 : m.between ? "--set field_resolution=4,rays=16" : "");
         works(line);
     }
 }
@@ -472,13 +472,13 @@ static void command_line(void)
         { "empty.obj --out a.exr", "empty.obj" },
         { "far.obj --out a.exr", "1e+38" },
         { "room --method none --out a.exr", "--method none" },
-        { "room --set steps=99 --out a.exr", "steps=99" },
-        { "casters --method aof --set cap_table=1,resolution=4,rays=16 --out a.exr", "cap_table=1: size:" },
+        { "room --set samples=99 --out a.exr", "samples=99" },
+        { "casters --method aof --set cap_table=1,field_resolution=4,rays=16 --out a.exr", "cap_table=1: size:" },
         { "room --set colour=1 --out a.exr", "colour=1" },
         { "room --set thin=1 --out a.exr", "--set thin=1: the setting is thickness" },
-        { "room --set half=1,blur=0 --size 8x8 --out a.exr", "half=1" },
+        { "room --set resolution=half,blur=0 --size 8x8 --out a.exr", "resolution=half" },
         { "room --size 8x8 --env sky --method ssdo --set vpls=4 --out a.exr", "vpls=4" },
-        { "room --size 8x8 --env sky --method s3ho --set dimmed=1 --out a.exr", "dimmed=1" },
+        { "room --size 8x8 --env sky --method s3ho --set occluded_emitters=1 --out a.exr", "occluded_emitters=1" },
         { "room --size 8x8 --method ssdo --env sky --set one_sided=1,two_sided=1 --out a.exr", "one_sided" },
         { "room --size 0x5 --out a.exr", "--size 0x5" },
         { "room --size 4294967304x8 --out a.exr", "--size 4294967304x8" },
@@ -517,7 +517,7 @@ static void command_line(void)
         { "room --plan best:1 --out a.exr", "--plan best:1" },
         { "room --plan visibility:0.1: --out a.exr", "visibility:0.1:" },
         { "room --plan light:0.1 --out a.exr", "--env" },
-        { "room --plan visibility:0.1 --set steps=3 --out a.exr", "--plan" },
+        { "room --plan visibility:0.1 --set samples=3 --out a.exr", "--plan" },
         { "--gbuffer f.exr --plan objects:0.1 $F", "--plan objects: needs a scene" },
         { "--gbuffer cut.exr --fovy 50 --radius 1 --out a.exr", "cut.exr" },
         { "--gbuffer y.exr --fovy 50 --radius 1 --out a.exr", "y.exr" },

@@ -221,13 +221,13 @@ static GLuint texture_of(int width, int height, int layers, GLenum format, const
     return layers ? kit_texture_array(width, height, layers, format, data) : kit_texture(width, height, format, data);
 }
 
-/* A desc of a pass, in words as behind a method's name: "steps=2,depth=linear". */
+/* A desc of a pass, in words as behind a method's name: "samples=2,depth=linear". */
 static ssgi_gl_desc desc_of(const char *pass, const char *words)
 {
     ssgi_gl_chain c;
     int preset = 0, of = 0;
     memset(&c, 0, sizeof c);
-    c.desc.text.dialect = SSGI_GL_DIALECT_450;
+    c.desc.shader.dialect = SSGI_GL_DIALECT_450;
     while (of < SSGI_GL_PASSES && strcmp(ssgi_gl_pass_name(of), pass) != 0) ++of;
     c.desc.pass = (ssgi_gl_pass)of;
     const char *bad = ssgi_gl__set_all(&c, &preset, words);
@@ -241,7 +241,7 @@ static ssgi_gl_desc facing_of(const char *pass, const char *words)
     ssgi_gl_desc d = desc_of(pass, words);
     d.input.orthographic = 1;
     d.input.normal = SSGI_GL_NORMAL_CUSTOM;
-    d.text.fetch = "vec3 ssgi_custom_normal(ivec2 texel) { return vec3(0.0, 0.0, 1.0); }\n"
+    d.shader.fetch = "vec3 ssgi_custom_normal(ivec2 texel) { return vec3(0.0, 0.0, 1.0); }\n"
                    "float ssgi_custom_depth(ivec2 texel, int layer) { return 10.0; }\n";
     return d;
 }
@@ -283,7 +283,7 @@ static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, int m
     static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
     static const char *const ends[] = { "void main", "flat in", "flat out", "layout(vertices" };
     static char triangle[TEXT];
-    const ssgi_gl_desc plain = { .text.dialect = dialect };
+    const ssgi_gl_desc plain = { .shader.dialect = dialect };
     const char *const source[2] = { triangle, text };
     kit_error err = { "" };
     for (size_t i = 0; i < sizeof ends / sizeof *ends; ++i) {
@@ -328,7 +328,7 @@ static int probe_stage(const ssgi_gl_desc *d, int stage, const ssgi_gl_frame *fr
     static char text[TEXT];
     const size_t n = ssgi_gl_emit(text, TEXT, d, stage);
     return CHECK(n && n < TEXT, "%s: a text of %zu characters", ssgi_gl_pass_name(d->pass), n)
-           && probe_text(text, d->text.dialect, frame, mapped, statements);
+           && probe_text(text, d->shader.dialect, frame, mapped, statements);
 }
 
 /* The fragment stage, which reads map; which does not. */
@@ -699,7 +699,7 @@ static void twin_halves(void)
     const ssgi_gl_frame frame = { .radius = 1 };
     for (int k = 0; k < 4; ++k) {
         char words[60];
-        snprintf(words, sizeof words, "quantity=coefficients,packed=1,dialect=%s", dialects[k]);
+        snprintf(words, sizeof words, "quantity=coefficients,packed_coefficients=1,dialect=%s", dialects[k]);
         const ssgi_gl_desc d = desc_of("blur", words);
         for (int first = 0; first < 1 << 16; first += 4 * MANY) {
             for (int i = 0; i < 4 * MANY; ++i) ins[i] = (float)(first + i);
@@ -863,13 +863,13 @@ static const term terms[] = {
     { "sectors in a language that does not count bits", "hsao", "dialect=330", BITS, 0, 33, SECTORS, 0, 0 },
     { "slabs are as deep as their backs say, sheets by the thickness", "ssao", "thickness=back",
       "o = vec4(ssgi_slab_thickness(vec2(a.x, 1.0), vec2(a.y, 1.2), vec2(a.z, 0.0)), 0.0, 0.0);", 0, 1, SLAB, 0, 2e-5 },
-    { "the kernel", "ssao", "samples=64", TABLE, 0, 1, KERNEL, SSGI_DIRECTIONS_COSINE, 1.2e-7 },
-    { "the uniform kernel", "ssao", "samples=64,uniform=1", TABLE, 0, 1, KERNEL, SSGI_DIRECTIONS_UNIFORM, 1.2e-7 },
+    { "the kernel", "ssao", "directions=64", TABLE, 0, 1, KERNEL, SSGI_DIRECTIONS_COSINE, 1.2e-7 },
+    { "the uniform kernel", "ssao", "directions=64,uniform_directions=1", TABLE, 0, 1, KERNEL, SSGI_DIRECTIONS_UNIFORM, 1.2e-7 },
     { "the octahedral map", "ssdo", "environment=map", "o = vec4(ssgi_octahedral(a.xyz), 0.0, 0.0);", -9, 9, OCTAHEDRAL,
       0, 4e-7 },
-    { "two points over a disc", "splat", "near_samples=2", POINTS, 0, 1, DISC, 2, 2e-5 },
-    { "four points over a disc", "splat", "near_samples=4", POINTS, 0, 1, DISC, 4, 2e-5 },
-    { "16 points over a disc", "splat", "near_samples=16", POINTS, 0, 1, DISC, 16, 2e-5 },
+    { "two points over a disc", "dss", "near_samples=2", POINTS, 0, 1, DISC, 2, 2e-5 },
+    { "four points over a disc", "dss", "near_samples=4", POINTS, 0, 1, DISC, 4, 2e-5 },
+    { "16 points over a disc", "dss", "near_samples=16", POINTS, 0, 1, DISC, 16, 2e-5 },
 };
 #undef BITS
 #undef POINTS
@@ -893,7 +893,7 @@ static void functions_of_numbers(void)
         frame.radius = t->what == SLAB ? 0.5f : 1;
         const size_t head = (size_t)snprintf(text, sizeof text, "#version 450 core\n");
         if (alone) ssgi_gl_reflection(text + head, sizeof text - head);
-        if (!(alone ? probe_text(text, d.text.dialect, &frame, 0, t->statement) : probe(&d, &frame, t->statement)))
+        if (!(alone ? probe_text(text, d.shader.dialect, &frame, 0, t->statement) : probe(&d, &frame, t->statement)))
             return;
         for (int i = 0; i < MANY; ++i) {
             const double a[4] = { (double)in[i][0], (double)in[i][1], (double)in[i][2], (double)in[i][3] };
@@ -923,7 +923,7 @@ static void slices_limits(void)
     } row[] = { { 80, 0.39, 1, 0, 0 },   { 80, 0.41, 1, 1, 0 },   { 80, 0.2, 1, 0, 0 }, { 60, 0.9, 1, 1, 0 },
                 { 80, 0.0039, 0, 0, 0 }, { 30, 0.0041, 0, 1, 0 }, { 60, 0.3, 0, 1, 0 }, { 20, 0.7, 0, 1, 0 },
                 { 20, 0.7, 0, 1, 1 } };
-    ssgi_gl_desc d = desc_of("hsao", "directions=1,steps=1,falloff=none,orthographic=1,depth=linear,thickness=solid");
+    ssgi_gl_desc d = desc_of("hsao", "slices=1,samples=1,falloff=none,orthographic=1,depth=linear,thickness=solid");
     ssgi_gl_frame frame = facing(3.512f);
     frame.surfel[0] = 1.561f;
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
@@ -1137,7 +1137,7 @@ static void walks_by_vectors(void)
                                     { 0.3f, 0, 0, 0, 0, 0.25f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
     for (int k = 0; k < 10; ++k) {
         char words[100];
-        snprintf(words, sizeof words, "directions=2,steps=5,depth=linear,orthographic=%d,thickness=%s", k & 1,
+        snprintf(words, sizeof words, "slices=2,samples=5,depth=linear,orthographic=%d,thickness=%s", k & 1,
                  thickness[k / 2]);
         ssgi_gl_desc d = desc_of("hsao", words), lit = desc_of("ssdo", words);
         ssgi_gl_frame frame = seen_by(m[k & 1], SSGI_CLIP_GL, SIDE, SIDE, 1.5f);
@@ -1296,7 +1296,7 @@ static void view_slack(void)
 {
     static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 };
     static float wall[MANY];
-    const ssgi_gl_desc d = desc_of("ssao", "views=1,samples=4,depth=linear,thickness=solid");
+    const ssgi_gl_desc d = desc_of("ssao", "views=1,directions=4,depth=linear,thickness=solid");
     const ssgi_gl_frame frame = seen_by(m, SSGI_CLIP_GL, SIDE, SIDE, 1);
     int open = 0;
     CHECK(ssgi_gl_views_set(&probed, 0, &view, still, still, NULL) == SSGI_OK, "refused");
@@ -1408,7 +1408,7 @@ static void slices_see_surfels(void)
     static const float own[3] = { 0.75f, 1, 2 };
     static float got[MANY][4], depth[2 * MANY];
     static uint32_t texel[MANY][4], emitter[MANY][2];
-    const ssgi_gl_desc d = desc_of("splat", "orthographic=1,levels=1,span=8,effect=bounce,depth=linear");
+    const ssgi_gl_desc d = desc_of("dss", "orthographic=1,levels=1,span=8,effect=bounce,depth=linear");
     const given t[3] = { { "t_ssgi_interleaved", GL_RGBA32UI, SIDE, SIDE, 0, texel },
                          { "t_ssgi_depth", GL_R32F, 2 * SIDE, SIDE, 0, depth },
                          { "t_ssgi_emitters", GL_RG32UI, SIDE, SIDE, 1, emitter } };
@@ -1462,7 +1462,7 @@ static void twin_spheres(void)
     static const float normal[8][3] = {
         [4] = { 0, 0.6f, 0.8f }, { 0.6f, 0, -0.8f }, { -0.8f, 0.36f, -0.48f }, { -0.36f, -0.8f, 0.48f }
     };
-    ssgi_gl_desc d = desc_of("field", "");
+    ssgi_gl_desc d = desc_of("aof", "");
     t_seed(41);
     for (int k = 0; k < 8; ++k) {
         char code[160];
@@ -1673,7 +1673,7 @@ static void history_keeps_its_plane(void)
         const int moved = (int)row[k].own;
         char fetch[100];
         snprintf(fetch, sizeof fetch, "vec3 ssgi_custom_normal(ivec2 texel) { return vec3(%s); }\n", row[k].normal);
-        d.text.fetch = fetch;
+        d.shader.fetch = fetch;
         ssgi_gl_frame frame = follows(1, 0, row[k].nearer);
         frame.last_footprint = row[k].coarser;
         plane(5, 0, 0, -row[k].own);
@@ -1855,7 +1855,7 @@ static void half_size(float low, float high, float most)
    off: all of them count as 7. */
 static void history_spreads_half_size(void)
 {
-    const ssgi_gl_desc d = facing_of("history", "half=1,depth=custom");
+    const ssgi_gl_desc d = facing_of("history", "resolution=half,depth=custom");
     const ssgi_gl_frame frame = facing(1);
     t_seed(71);
     half_size(0.4f, 0.6f, 0.5f);
@@ -1891,7 +1891,7 @@ static void history_spreads_half_size(void)
 /* From half size blur averages 3x3 texels by tents of 4 pixels, and 5x5 without their corners by tents of 5.5. */
 static void blur_spreads_half_size(void)
 {
-    ssgi_gl_desc d = facing_of("blur", "half=1,depth=custom");
+    ssgi_gl_desc d = facing_of("blur", "resolution=half,depth=custom");
     const ssgi_gl_frame frame = facing(1);
     t_seed(73);
     half_size(0, 1, 2);
@@ -1921,7 +1921,7 @@ static void blur_spreads_half_size(void)
    the image stay beyond. */
 static void pixels_take_turns(void)
 {
-    const ssgi_gl_desc d = desc_of("hsao", "half=2,orthographic=1");
+    const ssgi_gl_desc d = desc_of("hsao", "resolution=half_in_turn,orthographic=1");
     int drawn[4][4] = { { 0 } };
     ssgi_gl_frame frame = facing(1);
     for (uint32_t k = 0; k < 64; ++k) {
@@ -1946,7 +1946,7 @@ static void quarters(void)
 {
     ssgi_gl_frame frame = facing(1);
     for (int turns = 0; turns < 2; ++turns) {
-        const ssgi_gl_desc d = desc_of("blur", turns ? "half=quarter-in-turn" : "half=quarter");
+        const ssgi_gl_desc d = desc_of("blur", turns ? "resolution=quarter-in-turn" : "resolution=quarter");
         int met[16] = { 0 }, quadrant[32] = { 0 };
         for (uint32_t k = 0; k < (turns ? 32 : 1); ++k) {
             frame.phase = ssgi_gl_phase(k + 3);

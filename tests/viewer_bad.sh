@@ -35,7 +35,7 @@ room --frames 0|--frames '0': must be a whole number in 1..1000000
 room --method truth|--method truth: there is no such method; the nearest are
 room --right bogus|--method bogus: there is no such method; the nearest are
 room --set bogus=1|--set bogus=1: method ssdo has no such setting
-room --method hsao --set steps=0|--set steps=0: must be a whole number
+room --method hsao --set samples=0|--set samples=0: must be a whole number
 room --set steps|must be key=value
 room --light lamp|light lamp: must be point:
 room --env sky --env-strength -1|--env-strength '-1': must be a number in 0..1e+06

@@ -39,7 +39,7 @@ head -c 3000 /dev/urandom >$work/noise.obj
 cat >$work/values <<END
 --method ssao hsao-march ssdo ssdo-points s3ho ssbn dss dss-lit aof truth
 --right hsao ssdo dss truth nobody
---set thickness=slabs thickness=back,half=0 normal=depth history=1,history=0 layers=2 steps=1e9 bogus=1 = ,
+--set thickness=slabs thickness=back,resolution=full normal=depth history=1,history=0 layers=2 samples=1e9 bogus=1 = ,
 --light sun:1,1,1,1,1,1 sun:0,0,0,1,1,1 point:0,2,0,1,1,1 point:1,2 sun:nan,0,1,1,1,1 lamp
 --env sky street none $work/folder $work/a.obj $work/noise.obj
 --env-turn 0 45 -20 1e9 nan x

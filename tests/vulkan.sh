@@ -45,17 +45,17 @@ while read -r name arguments; do
     check "$name: RMSE $rmse, at most 0.0005; no message: $quiet" "$(is "$rmse <= 0.0005 && $quiet")"
 done <<'END'
 hsao        room hsao
-hsao-full   room hsao set half=0
+hsao-full   room hsao set resolution=full
 history     casters hsao set history=1 frames 6
 ssdo        room ssdo
 ssdo-lights cornell ssdo light point:0,5,-2.8,20,20,20
 s3ho        room s3ho
-aof         casters aof set occluders=all,resolution=4,rays=16
+aof         casters aof set occluders=all,field_resolution=4,rays=16
 dss         casters dss
 END
 
 # The texts of 6 steps with the constant of 10 (constant_id 2) draw what those of 10 draw; without it they do not.
-capture steps-6 room hsao set steps=6 && capture steps-10 room hsao set steps=10
+capture steps-6 room hsao set samples=6 && capture steps-10 room hsao set samples=10
 replay $work/steps-10 $work/steps-6 2=10
 special=$rmse
 replay $work/steps-10 $work/steps-6

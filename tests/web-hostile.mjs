@@ -132,11 +132,11 @@ export function calls({ load, Ssgi }, ssgi) {
     const bytes = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0), sun = { kind: 'SUN', at: up, colour: up };
     const map = { view, worldToView: identity, worldToLight: identity };
     const refused = [
-        ['desc', object, v => ssgi.text(v)], ['desc', object, v => ssgi.check(v)], ['desc', object, v => ssgi.key(v)],
-        ['desc.gather.steps', [...whole, Infinity, null, [], Symbol('four')], steps => ssgi.text({ ...hsao, steps })],
-        ['desc.pass', ['constructor', 'toString', 99], pass => ssgi.text({ pass })],
-        ['desc.version', [5, 'a\0b'], version => ssgi.text({ ...hsao, version })],
-        ['stage', ['constructor', 'FRAG', 7], v => ssgi.text(hsao, v)],
+        ['desc', object, v => ssgi.shader(v)], ['desc', object, v => ssgi.check(v)], ['desc', object, v => ssgi.key(v)],
+        ['desc.gather.samples', [...whole, Infinity, null, [], Symbol('four')], samples => ssgi.shader({ ...hsao, samples })],
+        ['desc.pass', ['constructor', 'toString', 99], pass => ssgi.shader({ pass })],
+        ['desc.version', [5, 'a\0b'], version => ssgi.shader({ ...hsao, version })],
+        ['stage', ['constructor', 'FRAG', 7], v => ssgi.shader(hsao, v)],
         ['preset', ['toString', 7], v => ssgi.preset(hsao, v)],
         ['projection', matrix, v => ssgi.view(v, 4, 4)], ['width', [...whole, 0], v => ssgi.view(projection, v, 4)],
         ['height', [...whole, 0], v => ssgi.view(projection, 4, v)],
@@ -183,12 +183,12 @@ export function calls({ load, Ssgi }, ssgi) {
         [() => load(bytes), 'exports: must be those of ssgi.wasm, its memory among them'],
         [() => new Ssgi({ __heap_base: { value: 0 }, ssgi_wasm_place_at: () => 0 }),
          'exports: must be those of ssgi.wasm, its memory among them'],
-        [() => ssgi.text({ ...hsao, constructor: 1 }), 'desc.constructor: there is no such field'],
-        [() => ssgi.text(JSON.parse('{"pass":"HSAO","__proto__":1}')), 'desc.__proto__: there is no such field'],
+        [() => ssgi.shader({ ...hsao, constructor: 1 }), 'desc.constructor: there is no such field'],
+        [() => ssgi.shader(JSON.parse('{"pass":"HSAO","__proto__":1}')), 'desc.__proto__: there is no such field'],
         [() => ssgi.surfels(frame, view, { sise: 1 }), 'desc.sise: there is no such member'],
         [() => ssgi.steps({ desc: hsao, width: 4, height: 4, constructor: 1 }),
          'chain.constructor: there is no such member'],
-        [() => ssgi.text({ ...hsao, steps: 99 }), 'desc.gather.steps: must be 0..64'],
+        [() => ssgi.shader({ ...hsao, samples: 99 }), 'desc.gather.samples: must be 0..64'],
         [() => ssgi.preset(hsao, 'GOOD'), 'preset: must be one of FAST BALANCED BEST'],
         [() => ssgi.view(projection.slice(1), 4, 4), 'projection: must have 16 numbers, has 15'],
         [() => ssgi.view(projection, 4, 0), 'height: must be 1..65536'],
@@ -205,7 +205,7 @@ export function calls({ load, Ssgi }, ssgi) {
 }
 
 /* What is right is still done after all that. */
-export const works = ssgi => ssgi.text({ pass: 'HSAO', half: true }).startsWith('#version')
+export const works = ssgi => ssgi.shader({ pass: 'HSAO', resolution: true }).startsWith('#version')
     && ssgi.steps({ desc: { pass: 'HSAO' }, width: 64, height: 48, blur: 1, history: true }).length > 1
     && ssgi.view(endless([...projection]), 64, 48).join() === ssgi.view(projection, 64, 48).join()
     && ssgi.trace(corners, [0, 1, 2]).closest([0.2, 0.2, 1], [0, 0, -1], 0, 10).t === 1;

@@ -6,7 +6,7 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { isDeepStrictEqual } from 'node:util';
 import { exr } from '../examples/web/exr.mjs';
-import { halves, lookOf, looks, methods, normals, presets, read, settings, shadows, thicknesses, views,
+import { resolutions, lookOf, looks, methods, normals, presets, read, settings, shadows, thicknesses, views,
          write } from '../examples/web/settings.mjs';
 import { skies } from '../examples/web/sky.mjs';
 import { check, end, launch, note, rest, run, serve, software } from './web-kit.mjs';
@@ -53,7 +53,7 @@ const bytesOf = async (page, expression) => Buffer.from(await page.evaluate(asyn
 const limits = { scenes: ['room', 'bunny', 'cornell'], side: 4096, pixels: 1920 * 1080 };
 const words = { scene: limits.scenes, sky: Object.keys(skies), view: views, a: Object.keys(methods),
                 b: [...Object.keys(methods), 'truth', 'off'], p: Object.keys(presets), q: Object.keys(presets),
-                shadow: Object.keys(shadows), half: Object.keys(halves), thickness: Object.keys(thicknesses),
+                shadow: Object.keys(shadows), resolution: Object.keys(resolutions), thickness: Object.keys(thicknesses),
                 normals: Object.keys(normals), size: ['auto', '16x16', '1920x1080'], cam: ['', '1,2,3,4,5,6'] };
 const never = ['NaN', 'constructor', '__proto__', 'toString', '😀', '%00', '1,2,3', '<b>', 'x'.repeat(300)];
 await run('each setting takes its values, which an address carries; all else is refused in a sentence', () => {
@@ -76,7 +76,7 @@ await run('each setting takes its values, which an address carries; all else is 
          'size=1921x1080: must be auto or WIDTHxHEIGHT, 16 to 4096 pixels each, at most 2073600 in all'],
         ['p=constructor', 'p=constructor: must be one of FAST, BALANCED, BEST'],
         ['sky=file', 'sky=file: must be opened again: a sky of your own is in no address'],
-        ['steps=1.5', 'steps=1.5: must be a whole number from 1 to 32, or 0 for the preset\'s'],
+        ['samples=1.5', 'samples=1.5: must be a whole number from 1 to 32, or 0 for the preset\'s'],
         ['scene=file', 'scene=file: must be opened again: a model of your own is in no address'],
         ['cam=1,2,3,1,2,3', 'cam=1,2,3,1,2,3: must be six numbers, an eye and a target elsewhere, -1e9 to 1e9'],
         ['sun=yes', 'sun=yes: must be 0 or 1'], ['constructor=1', 'constructor: there is no such setting']]) {
@@ -158,11 +158,11 @@ for (const [scene, hash, given, most = 0.006] of [
     ['casters', 'a=hsao', ['hsao']], ['casters', 'a=hsao&p=BEST', ['hsao-best']], ['casters', 'a=ssao', ['ssao']],
     ['casters', 'a=march', ['hsao-march']], ['casters', 'a=hsao&thickness=BACK', ['hsao', '--set', 'thickness=back']],
     ['casters', 'a=hsao&thickness=SLABS', ['hsao', '--set', 'thickness=slabs']],
-    ['casters', 'a=hsao&slices=3&steps=7&half=NONE&filter=2',
-     ['hsao', '--set', 'directions=3,steps=7,half=none,blur=2']],
+    ['casters', 'a=hsao&slices=3&samples=7&resolution=FULL&filter=2',
+     ['hsao', '--set', 'slices=3,samples=7,resolution=full,blur=2']],
     ['plates', 'a=hsao&p=FAST', ['hsao-fast']],
     ['casters', 'a=dss', ['dss', '--set', 'levels=4']],
-    ['plates', 'a=dss&p=BEST', ['dss', '--set', 'levels=4,half=0,steps=7']],
+    ['plates', 'a=dss&p=BEST', ['dss', '--set', 'levels=4,resolution=full,samples=7']],
     ['cornell', 'a=dss&surfel=1.5&levels=3', ['dss', '--set', 'size=0.015,levels=3']],
     ['room', 'a=hsao', ['hsao']], ['room', 'a=ssao', ['ssao']], ['room', 'a=march', ['hsao-march']],
     ['room', `${sky}&sun=0`, [...ssdo, 'bounce=none']],
@@ -365,7 +365,7 @@ await quietly('the field of a model of one\'s own is build/render\'s, on its gro
     writeFileSync(`${out}/ground.obj`, [`o wedge\n${wedge(1)}o ground`,
         ...corners.map(i => `v ${position.slice(3 * i, 3 * i + 3).join(' ')}`),
         ...corners.filter(i => i % 3 === 0).map(i => `f ${[5, 6, 7].map(k => k + i).join(' ')}`), ''].join('\n'));
-    const { rmse } = await apart([`${out}/ground.obj`, '--method', 'aof', '--set', 'resolution=8,rays=64', '--size',
+    const { rmse } = await apart([`${out}/ground.obj`, '--method', 'aof', '--set', 'field_resolution=8,rays=64', '--size',
                                   '320x180', '--camera', [...eye, ...target].join(), '--fovy', `${fov}`,
                                   '--near', `${near}`, '--far', `${far}`]);
     const least = await page.evaluate(() => page.result(0).pixels.reduce((a, b) => Math.min(a, b), 1));
@@ -432,21 +432,21 @@ for (const [width, height] of [[1280, 800], [390, 844]])
             ['height', 80, 'picture'], ['strength', 3, 'picture'], ['sun', false, 'picture'],
             ['sky', 'windows', 'picture'], ['view', 'ambient', 'picture'], ['radius', 0, 'picture'],
             ['slices', 4, ({ chain }) => chain.desc.directions === 4],
-            ['steps', 3, ({ chain }) => chain.desc.steps === 3],
-            ['half', 'NONE', ({ chain }) => chain.desc.half === 'NONE'],
+            ['samples', 3, ({ chain }) => chain.desc.samples === 3],
+            ['resolution', 'FULL', ({ chain }) => chain.desc.resolution === 'FULL'],
             ['filter', 3, ({ chain }) => chain.desc.filter_radius === 3],
             ['filter', 0, ({ chain, steps }) => !chain.blur && !steps.includes('BLUR')],
-            ['half', 'FIRST', ({ chain, steps }) => chain.desc.half === 'FIRST' && steps.includes('BLUR')],
+            ['resolution', 'HALF', ({ chain, steps }) => chain.desc.resolution === 'HALF' && steps.includes('BLUR')],
             ['thickness', 'SLABS', ({ chain }) => chain.desc.thickness === 'SLABS'],
             ['thickness_limit', 1.7, ({ set }) => set.thickness_limit === 1.7],
             ['normals', 'FROM_DEPTH', ({ chain }) => chain.desc.normal === 'FROM_DEPTH'],
             ['p', 'BEST', ({ chain }) => chain.desc.steps === 3],
             ['history', true, ({ steps }) => steps.includes('HISTORY')],
-            ['a', 'dss', ({ chain, steps }) => chain.desc.pass === 'SPLAT' && steps.includes('INTERLEAVE')],
+            ['a', 'dss', ({ chain, steps }) => chain.desc.pass === 'DSS' && steps.includes('INTERLEAVE')],
             ['levels', 3, ({ chain }) => chain.desc.levels === 3],
             ['surfel', 6, 'picture'],
             ['field', 8, ({ set }) => set.field === 8],
-            ['a', 'aof', ({ chain }) => chain.desc.pass === 'FIELD'], ['reach', 0.2, 'picture'],
+            ['a', 'aof', ({ chain }) => chain.desc.pass === 'AOF'], ['reach', 0.2, 'picture'],
             ['a', 'ssdo', ({ chain }) => chain.desc.pass === 'SSDO'],
             ['bounce', true, ({ chain }) => chain.desc.bounce === 'SOLID_ANGLE'], ['sun', true, 'picture'],
             ['shadow', 'MAP', ({ steps }) => steps.includes('LIGHTS')],
@@ -471,7 +471,7 @@ for (const [width, height] of [[1280, 800], [390, 844]])
         check(hash === `#${write(set)}`, `the address is ${hash}, the settings ${write(set)}`);
         await page.evaluate(() => document.getElementById('own').click());
         const own = (await state()).set;
-        check(['slices', 'steps', 'filter', 'half', 'levels', 'surfel', 'field']
+        check(['slices', 'samples', 'filter', 'resolution', 'levels', 'surfel', 'field']
             .every(name => own[name] === settings[name].initial), 'the preset stays away');
         const wide = await page.evaluate(() => [document.documentElement.scrollWidth,
             ...[...document.querySelectorAll('#panel :is(select, input, button, p)')].filter(e => e.offsetParent)
@@ -541,8 +541,8 @@ await quietly('the error is readable: a map, its worst, the pointer\'s pixel, a 
 
 await run('the C lines compile, and make the chain that is drawn', async () => {
     const page = await open('size=160x90&history=0');
-    for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&steps=7&half=NONE&filter=2&thickness=SLABS',
-                        'a=ssao&p=BEST', 'a=ssdo&bounce=1&history=1', 'a=march&filter=0&half=NONE', 'a=s3ho&history=1',
+    for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&samples=7&resolution=FULL&filter=2&thickness=SLABS',
+                        'a=ssao&p=BEST', 'a=ssdo&bounce=1&history=1', 'a=march&filter=0&resolution=FULL', 'a=s3ho&history=1',
                         'a=points&thickness=BACK&normals=FROM_DEPTH', 'a=dss&levels=3', 'a=aof&p=FAST&reach=0.5',
                         'a=ssdo&shadow=FILL']) {
         await page.evaluate(h => page.go(h), `size=160x90&history=0&b=off&${hash}`);

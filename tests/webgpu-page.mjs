@@ -63,7 +63,7 @@ else {
                       'a=points&b=ssdo&bounce=1&view=ambient', 'a=s3ho&p=FAST&b=s3ho&q=BEST',
                       'a=ssdo&shadow=FILL&b=s3ho', 'a=ssdo&shadow=SEGMENT&bounce=1', 'history=1&b=s3ho',
                       'thickness=SLABS&b=ssdo', 'thickness=BACK&scene=casters',
-                      'normals=FROM_DEPTH&slices=3&steps=4&half=FIRST&filter=3'])
+                      'normals=FROM_DEPTH&slices=3&samples=4&resolution=HALF&filter=3'])
         await run(`WebGPU draws what WebGL 2 does: ${of || 'hsao'}`, () => alike(`${small}&${of}`));
 
     await run('WebGPU: what moves is followed, the truth is traced, a change of size is drawn', async () => {

@@ -42,12 +42,12 @@ FIRST, the default|grass
 QUARTER|grass --method hsao-quarter
 
 counts|210x140+620+330|200%
-1 slice of 4 samples|room --set directions=1,steps=4
+1 slice of 4 samples|room --set slices=1,samples=4
 2 slices of 8, the default|room
-4 slices of 24|room --set directions=4,steps=24
+4 slices of 24|room --set slices=4,samples=24
 
 filter|210x140+620+330|200%
-radius 0, at full resolution|room --set half=none,blur=0
+radius 0, at full resolution|room --set resolution=full,blur=0
 radius 1|room --set blur=1
 radius 2, the default|room
 

@@ -21,7 +21,7 @@ static const char *resize(int width, int height)
 {
     static char text[2][32768];
     const ssgi_gl_desc desc = { .pass = SSGI_GL_PASS_HSAO,
-                                .text.dialect = SSGI_GL_DIALECT_300ES,
+                                .shader.dialect = SSGI_GL_DIALECT_300ES,
                                 .filter.onto = SSGI_GL_ONTO_AMBIENT };
     ssgi_gl_chain chain = { .desc = desc, .blur = 1, .width = width, .height = height };
     const char *why = "";

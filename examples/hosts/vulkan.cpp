@@ -31,8 +31,8 @@ static step step_of(gpu &g, const std::string &folder, const json &manifest, cha
     if (is["size"] == "TILES") size[0] = (width + 7) / 8, size[1] = (height + 7) / 8;
     if (is["size"] == "LEVELS") {
         const int levels = c.is["chain"]["desc"].value("levels", manifest["defaults"]["splat"]["levels"].get<int>());
-        const auto half = c.is["chain"]["desc"].value("half", std::string());
-        const int part = half.empty() ? 1 : half[0] == 'Q' ? 4 : 2;
+        const auto gathered = c.is["chain"]["desc"].value("resolution", std::string());
+        const int part = gathered.empty() ? 1 : gathered[0] == 'Q' ? 4 : 2;
         ssgi_splat_size(size, (width + part - 1) / part, (height + part - 1) / part, levels, nullptr);
         size[1] *= levels;
     }

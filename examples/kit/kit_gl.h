@@ -247,7 +247,8 @@ enum { KIT_OCCLUDERS_SOLID, KIT_OCCLUDERS_ALL };
 enum { KIT_WAY_CPU, KIT_WAY_CAPTURE, KIT_WAY_DIRECT };
 typedef struct kit_settings {
     /* where a gather looks */
-    int    directions, steps, samples, normal_rays, terms, spheres, sets, uniform, half, range, noise;
+    int    slices, directions, samples, normal_rays, march_terms, growing_sphere, sets, uniform_directions;
+    int    resolution, range_check, noise;
     double offset, phase;                  /* half pixels; [0, 1] */
     int    layers, views, view_layers, view_size;
     double margin;                         /* radii */
@@ -260,9 +261,9 @@ typedef struct kit_settings {
     int    environment, bounce, reuse, bounced, two_sided, one_sided, shadows, points, solid, shadow_size, suns, vpls;
     double clamp, distance_clamp, gain, max_slope;    /* radii; 1: a patch's own area; a slope */
     /* as spherical harmonics, or bent normals */
-    int    bands, store, indirect, dimmed, filtered, residual, window, lights, cone;
+    int    bands, store, indirect, occluded_emitters, filtered, residual, window, lights, cone;
     /* fields */
-    int    resolution, radii, rays, unfiltered, own, occluders, cap_table; /* cap_table: its side; 0: closed form */
+    int    field_resolution, radii, rays, unfiltered, own, occluders, cap_table; /* cap_table: its side; 0: closed form */
     double reach, ramp, inside, power;     /* bounding spheres' radii; of the reach; below 0: as measured; exponent */
     /* surfels */
     int    levels, way, near_samples, span, sky, near_depth, keep_small, splits, smooth, material;

@@ -72,7 +72,7 @@ def far_corner():
     """Mean and deviation along the lowest row of the far wall."""
     boxes("within.obj", [((7.5, 14.5, 7.5), (-7.5, -0.5, -7.5))])
     room = "within.obj --camera 0,0,5,0,0,0 --fovy 45 --size 800x600 --radius 0.5 "
-    for way in ("--truth 64", "", "--method hsao-best", "--method hsao-best --set steps=12",
+    for way in ("--truth 64", "", "--method hsao-best", "--method hsao-best --set samples=12",
                 "--method hsao-history --still 16"):
         said(RENDER, room + way + " --out corner.exr")
         wide, _, y = channel("corner.exr", "Y")
@@ -159,7 +159,7 @@ ROWS = [
                                                       "--method dss --set thickness=back"))),
     ("a lone thin slab over a floor", lambda: slabs(1)),
     ("eight slabs over each other", lambda: slabs(8)),
-    ("foliage", lambda: scored("random:foliage:3 " + SIZE, ("", "--set half=none"))),
+    ("foliage", lambda: scored("random:foliage:3 " + SIZE, ("", "--set resolution=full"))),
     ("a radius that is too small, or too large", lambda: swept("radius", "hsao", "dss")),
     ("a floor seen along itself: a row of the wall", far_corner),
     ("history: an object moves", lambda: swept("kept-slide", "hsao-history")),

@@ -101,7 +101,7 @@ static void know(measured *row, int count)
 {
     for (int i = 0; i < count; ++i) {
         const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-        const int balanced = r->method == SSGI_PLAN_METHOD_HSAO && r->half && r->directions == 2 && r->steps == 6;
+        const int balanced = r->method == SSGI_PLAN_METHOD_HSAO && r->resolution && r->slices == 2 && r->samples == 6;
         for (int k = 0; k < count; ++k) {
             ssgi_calibration *c = &row[k].scene.calibration;
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
@@ -121,7 +121,7 @@ enum { OF_FULL, OF_HALF, OF_QUARTER, OF_TEXELS, OF_SURFELS, SPLAT_TERMS };
 
 static int own_term(const ssgi__plan_row *r)
 {
-    return r->half == SSGI__PLAN_QUARTER ? OF_QUARTER : r->half ? OF_HALF : OF_FULL;
+    return r->resolution == SSGI__PLAN_QUARTER ? OF_QUARTER : r->resolution ? OF_HALF : OF_FULL;
 }
 
 /* Fits the cost of splats in software. */
@@ -130,7 +130,7 @@ static void fit_splats(int count, double own[MOST_TERMS])
     int n = 0;
     for (int i = 0; i < count; ++i) {
         const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-        if (r->method != SSGI_PLAN_METHOD_SURFELS) continue;
+        if (r->method != SSGI_PLAN_METHOD_DSS) continue;
         equations[n] = (equation){ { 0 }, row[i].cost };
         equations[n].term[own_term(r)] = 1;
         equations[n].term[OF_TEXELS] = row[i].scene.splats / ssgi__plan_drawn(r);
@@ -212,7 +212,7 @@ static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
         equations[n].square = row[i].error * row[i].error;
         ssgi__plan_terms(equations[n].term, r, &row[i].scene);
         /* a row's error follows the calibration of its own thickness model */
-        if (!r->thickness && r->method != SSGI_PLAN_METHOD_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
+        if (!r->thickness && r->method != SSGI_PLAN_METHOD_DSS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
         if (r->thickness == SSGI_PLAN_THICKNESS_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
         ++n;
     }
@@ -223,8 +223,8 @@ static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
 static double cost_of(double *costs, int n, const ssgi__plan_row *r, double own)
 {
     qsort(costs, (size_t)n, sizeof *costs, by_value);
-    return r->method == SSGI_PLAN_METHOD_SURFELS && own > 0 ? own
-           : r->method == SSGI_PLAN_METHOD_FIELD || !n      ? (double)r->cost[0]
+    return r->method == SSGI_PLAN_METHOD_DSS && own > 0 ? own
+           : r->method == SSGI_PLAN_METHOD_AOF || !n      ? (double)r->cost[0]
                                                             : costs[n / 2];
 }
 
@@ -232,7 +232,7 @@ static double cost_of(double *costs, int n, const ssgi__plan_row *r, double own)
 static void print_choice(int c, int count, double own[MOST_TERMS], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
-                             *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
+                             *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "DSS", "AOF" },
                              *const thickness[] = { "WIDTH", "CONSTANT", "BACK", "SLABS" };
     static double costs[MOST_ROWS];
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
@@ -244,8 +244,8 @@ static void print_choice(int c, int count, double own[MOST_TERMS], double gpu)
     printf("  SSGI__P(%c, %s,%*s %s,%*s %d, %d, %d,%*s %d, %d, %d, ", wanted[r->wanted][0], method[r->method],
            7 - (int)strlen(method[r->method]), "", thickness[r->thickness], 8 - (int)strlen(thickness[r->thickness]),
            "",
-           r->half, r->directions, r->steps, r->steps < 10, "", r->bands, r->history, r->resolution);
-    literal((double)r->size, 5, ",");
+           r->resolution, r->slices, r->samples, r->samples < 10, "", r->bands, r->history, r->field_resolution);
+    literal((double)r->surfel_size, 5, ",");
     literal(cost_of(costs, timed, r, own[own_term(r)]), 5, ",");
     literal(gpu > 0 ? gpu : (double)r->cost[1], 5, ",");
     for (int k = 0; k < MOST_TERMS; ++k)

@@ -3,7 +3,8 @@
 import { methods, namedChain } from './settings.mjs';
 
 /* The field that says in how many directions a gather looks. */
-export const countOf = desc => (desc.pass === 'SSAO' || desc.search === 'POINTS' ? 'samples' : 'directions');
+export const countOf = ({ pass, search = 'SLICES' }) =>
+    (pass === 'SSAO' || search !== 'SLICES' ? 'directions' : 'slices');
 
 /* Whether the chain adds the sun, as desc.lights shadows it, to what it gathers; else three.js does. */
 export const lightsOf = (set, name) => !!methods[name]?.light && set.sun && set.shadow !== 'HOST';
@@ -16,10 +17,10 @@ export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, 
     if (!bounce) delete d.bounce;
     if (set.moves && set.history) d.motion = 1;
     if (own && set.slices) d[countOf(d)] = set.slices;
-    if (own && set.steps && ssgi.resolve(d).steps) d.steps = set.steps;
-    if (own && set.half !== 'preset') d.half = set.half;
+    if (own && set.samples && ssgi.resolve(d).samples) d.samples = set.samples;
+    if (own && set.resolution !== 'preset') d.resolution = set.resolution;
     if (own && set.filter > 0) d.filter_radius = set.filter;
-    const halved = d.half && d.half !== 'NONE';
+    const halved = d.resolution && d.resolution !== 'FULL';
     /* half size becomes whole, light is restored, and frames are averaged where it is filtered */
     const blur = +!(own && set.filter === 0 && !halved && !d.restore && !set.history);
     const lit = lightsOf(set, name), lights = { pass: 'LIGHTS', dialect, normal: set.normals, thickness: 'CONSTANT',

@@ -1,6 +1,6 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in webgl.mjs. */
 import { load } from './ssgi.mjs';
-import { defaults, halves, lookOf, methods, namedChain, normals, presets, read, sentenceOf, settings, shadows, shows,
+import { defaults, resolutions, lookOf, methods, namedChain, normals, presets, read, sentenceOf, settings, shadows, shows,
          sizes, thicknesses, views, write } from './settings.mjs';
 import { chainAs, countOf, lightsOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';
@@ -73,7 +73,7 @@ function toPanel() {
         else if (control.name === 'thickness_limit') control.value = thicknessLimit(set.a);
         else if (control.name === 'size') showSize(control, value);
         else if (control.name === 'slices') control.value = is?.[countOf(is)] ?? 0;
-        else if (control.name === 'steps') control.value = is?.steps ?? 0;
+        else if (control.name === 'samples') control.value = is?.samples ?? 0;
         else if (control.name === 'filter') control.value = chain?.blur ? filterOf(chain.desc) : 0;
         else if (control.name === 'surfel') control.value = 100 * (made?.size ?? 0);
         else if (control.name === 'levels') control.value = made?.levels ?? 0;
@@ -84,7 +84,7 @@ function toPanel() {
     const write = (name, text) => { output(name).textContent = text; };
     if (stage.info) write('radius', +radius().toPrecision(2));
     write('thickness_limit', `${thicknessLimit(set.a).toFixed(2)} R`);
-    for (const name of ['slices', 'steps', 'filter', 'levels', 'field']) write(name, panel.elements[name].value);
+    for (const name of ['slices', 'samples', 'filter', 'levels', 'field']) write(name, panel.elements[name].value);
     write('surfel', `${panel.elements.surfel.value} %`);
     write('reach', `${set.reach.toFixed(2)} ×`);
     write('azimuth', `${set.azimuth}°`);
@@ -97,7 +97,7 @@ function toPanel() {
     on('.of-a', method(set.a));
     on('.of-b', method(set.b));
     on('.of-gather', method(set.a) && !module);
-    on('.of-steps', !!is?.steps && !module);
+    on('.of-samples', !!is?.samples && !module);
     on('.of-surfels', module === 'surfels');
     on('.of-field', module === 'fields');
     on('.of-sun', set.sun);
@@ -112,7 +112,7 @@ function toPanel() {
     panel.elements.truth.disabled = wantsTruth() && !set.truth;
     $('own').hidden = !method(set.a) || !(module ? made.size !== methods[set.a].presets[set.p].size
         || made.levels !== methods[set.a].presets[set.p].levels || (module === 'fields' && set.field)
-        : set.slices || set.steps || set.filter >= 0 || set.half !== 'preset');
+        : set.slices || set.samples || set.filter >= 0 || set.resolution !== 'preset');
     for (const thumb of $('thumbs').children) thumb.setAttribute('aria-pressed', thumb.value === set.scene);
     const title = (name, preset) => name === 'truth' ? 'truth, ray-traced'
         : methods[name] ? methods[name].title + (method(name) ? ` · ${presets[preset]}` : '') : '';
@@ -146,8 +146,8 @@ function listen() {
     };
     $('smooth').onchange = ({ target }) => choose('filter', target.checked ? -1 : 0);
     $('own').onclick = () => {
-        Object.assign(set, { slices: 0, steps: 0, filter: -1, half: 'preset', surfel: 0, levels: 0, field: 0 });
-        changed('half');
+        Object.assign(set, { slices: 0, samples: 0, filter: -1, resolution: 'preset', surfel: 0, levels: 0, field: 0 });
+        changed('resolution');
     };
     $('canvas').addEventListener('pointerdown', () => stand());
     $('picture').addEventListener('pointermove', e => { pointer = e; writeHere(); });
@@ -427,7 +427,7 @@ const coefficients = bands => cached(`${set.sky} harmonics ${bands}`,
 function lightOf(desc) {
     const sky = skyImage(set.sky), given = {};
     if (desc.environment === 'MAP') {
-        const angle = desc.samples ? 2 * Math.PI / desc.samples : 0.75 * Math.PI / (desc.directions || 1);
+        const angle = desc.directions ? 2 * Math.PI / desc.directions : 0.75 * Math.PI / (desc.slices || 1);
         given.ENVIRONMENT = cached(`${set.sky} map ${angle}`,
             () => upload(ssgi.environmentMap(64, sky, 256, 128, angle), 64, 0));
         given.IRRADIANCE = cached(`${set.sky} open`, () => upload(ssgi.environmentCone(32, sky, 256, 128, 0), 32, 1));
@@ -518,7 +518,7 @@ function frameOf(side, now) {
         for (let row = 0; row < 3; ++row) frame.rotation[4 * column + row] = v[4 * column + row];
     if (side.run.chain.lights) frame.lights[0] = 1;
     if (desc.environment === 'SH') ssgi.harmonics(frame, coefficients(desc.bands), desc.bands, v);
-    if (desc.pass === 'SPLAT') {
+    if (desc.pass === 'DSS') {
         const { size, epsilon } = side.about;
         ssgi.surfels(frame, now.made, { size, max_distance: radius() });
         frame.epsilon[0] = epsilon;
@@ -1007,7 +1007,7 @@ function glslTexts() {
     const all = [];
     sides.forEach((side, i) => side?.run.steps.forEach(step => {
         for (const stage of ['frag', 'vert']) {
-            const text = drawer.text(step.desc, stage);
+            const text = drawer.shader(step.desc, stage);
             const name = `${step.desc.pass.toLowerCase()}.${stage}${gpu ? '.wgsl' : ''}`;
             if (text && !all.some(t => t.text === text))
                 all.push({ name: sides[0] && sides[1] ? `${i ? 'right' : 'left'}: ${name}` : name, text });
@@ -1152,7 +1152,7 @@ async function start() {
     options(panel.elements.b, [['off', 'the same'], ...named, ['truth', 'truth, ray-traced']]);
     for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
     options(panel.elements.thickness, Object.entries(thicknesses));
-    options(panel.elements.half, Object.entries(halves));
+    options(panel.elements.resolution, Object.entries(resolutions));
     options(panel.elements.shadow, Object.entries(shadows));
     makers = new Makers({ gl, drawer, ssgi, loading }, remade);
     options(panel.elements.normals, Object.entries(normals));

@@ -14,7 +14,7 @@ export const methods = {
     march: { title: 'HSAO, march', method: 'hsao-march' },
     ssdo: { title: 'SSDO', method: 'ssdo', light: true },
     points: { title: 'SSDO, points', method: 'ssdo-points', light: true },
-    s3ho: { title: 'S3HO', method: 's3ho', settings: ',transfer=direct,packed=0,restore=ratio', light: true },
+    s3ho: { title: 'S3HO', method: 's3ho', settings: ',transfer=direct,packed_coefficients=0,restore=ratio', light: true },
     dss: { title: 'Deep screen space', method: 'dss', module: 'surfels',
            presets: { FAST: surfels, BALANCED: surfels, BEST: surfels } },
     aof: { title: 'Fields of objects', method: 'aof', settings: ',objects=texture', module: 'fields', presets: {
@@ -46,7 +46,7 @@ export const thicknesses = { __proto__: null, DEFAULT: 'as thick as wide', CONST
                              SOLID: 'unlimited', BACK: 'to the back face', SLABS: 'two slabs, peeled' };
 export const shadows = { __proto__: null, HOST: 'by three.js, beside the chain', MAP: 'mapped',
                          FILL: 'mapped, the bias filled', SEGMENT: 'on the screen', NONE: 'none' };
-export const halves = { __proto__: null, preset: 'as the preset', FIRST: 'half size', NONE: 'full size' };
+export const resolutions = { __proto__: null, preset: 'as the preset', HALF: 'half', FULL: 'full' };
 export const normals = { __proto__: null, SIGNED: 'of the G-buffer', FROM_DEPTH: 'from depth' };
 export const sizes = ['480x270', '640x360', '960x540', '1280x720', '1920x1080'];
 
@@ -133,13 +133,13 @@ export const settings = {
     q: word('BALANCED', Object.keys(presets)),
     radius: number(1, -2, 2),
     slices: count(1, 32, 0),
-    steps: count(1, 32, 0),
+    samples: count(1, 32, 0),
     filter: count(0, 4, -1),
     surfel: number(0, 0.5, 6, 0, ', or 0 for the preset\'s'),
     levels: count(1, 7, 0),
     field: count(4, 64, 0),
     reach: number(1, 0.1, 1),
-    half: word('preset', Object.keys(halves)),
+    resolution: word('preset', Object.keys(resolutions)),
     thickness: word('DEFAULT', Object.keys(thicknesses)),
     thickness_limit: number(-1, 0, 2, -1, ', or -1 for the method\'s own'),
     normals: word('SIGNED', Object.keys(normals)),
@@ -155,11 +155,12 @@ export const settings = {
 export const defaults = Object.fromEntries(Object.entries(settings).map(([name, { initial }]) => [name, initial]));
 export const lookOf = scene => ({ ...defaults, ...looks[scene] });
 
-/* [name, value] in an address made before 0.4, as it is called now. */
+/* [name, value] in an address made before 0.5, as it is called now. */
 function renamed(name, text) {
     if (name === 'behind') return ['thickness', text];
     if (name === 'thickness' && text.trim() && !Number.isNaN(Number(text))) return ['thickness_limit', text];
-    if (name === 'half' && (text === '0' || text === '1')) return ['half', text === '1' ? 'FIRST' : 'NONE'];
+    if (name === 'half') return ['resolution', { 0: 'FULL', NONE: 'FULL', 1: 'HALF', FIRST: 'HALF' }[text] ?? text];
+    if (name === 'steps') return ['samples', text];
     return [name, text];
 }
 

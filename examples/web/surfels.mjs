@@ -89,7 +89,7 @@ export class Surfels {
         const key = JSON.stringify(views.map(v => v?.elements));
         let count = counts[0] + (views[1] ? counts[1] ?? 0 : 0);
         if (!made[1]) count = counts[0];
-        if (!this.#array) this.#open(steps.find(({ desc }) => desc.pass === 'SPLAT').desc);
+        if (!this.#array) this.#open(steps.find(({ desc }) => desc.pass === 'DSS').desc);
         if (key !== this.#held) {
             let all = surfels, first = 0;
             if (views.some((view, k) => view && made[k] && !view.equals(made[k]))) {

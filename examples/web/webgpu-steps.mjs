@@ -40,10 +40,10 @@ export class Drawer {
             : 'No timestamp-query here: passes are not timed.';
     }
 
-    #key(desc, stage) { return keyOf(this.#ssgi.text(desc, stage)); }
+    #key(desc, stage) { return keyOf(this.#ssgi.shader(desc, stage)); }
 
     /* Of a pass that is drawn. */
-    text(desc, stage = 'frag') { return this.#texts.get(this.#key(desc, stage)) ?? ''; }
+    shader(desc, stage = 'frag') { return this.#texts.get(this.#key(desc, stage)) ?? ''; }
 
     /* Why a chain cannot be drawn; null: it can. */
     lacks(chain) {

@@ -42,7 +42,7 @@ static double row_bytes(const kit_run *run, const kit_pass *p, const ssgi_gl_io 
     const double texel =
         texel_of(&texels, texture, in ? kit_target_of(io) : p->target[0] ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY);
     if (slices) texels *= (double)slices / (g->layers - 1);
-    if (!in) texels = p->desc.pass == SSGI_GL_PASS_SPLAT ? 2 * run->splat_pixels : pass_pixels(p);
+    if (!in) texels = p->desc.pass == SSGI_GL_PASS_DSS ? 2 * run->splat_pixels : pass_pixels(p);
     return texel * texels;
 }
 
@@ -52,7 +52,7 @@ double kit_pass_bytes(const kit_run *run, const kit_pass *p)
     if (p->aside) return 0;
     if (!glGetTexLevelParameteriv) return (double)NAN;
     for (int k = 0; k < p->rows; ++k) bytes += row_bytes(run, p, &p->io[k]);
-    if (p->desc.pass == SSGI_GL_PASS_SPLAT || p->capture) bytes += (double)run->surfels * sizeof(ssgi_surfel);
+    if (p->desc.pass == SSGI_GL_PASS_DSS || p->capture) bytes += (double)run->surfels * sizeof(ssgi_surfel);
     return bytes;
 }
 

@@ -152,7 +152,7 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
     kit_run *run = m->run;
     const ssgi_splat splat = { .epsilon = run->frame.epsilon, .max_distance = s->desc.max_distance,
                                .levels = m->desc.surfel.levels, .near_depth = run->frame.near_depth,
-                               .part = m->desc.gather.half >= SSGI_GL_HALF_QUARTER ? 4 : m->desc.gather.half ? 2 : 1,
+                               .part = m->desc.gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? 4 : m->desc.gather.resolution ? 2 : 1,
                                .two_sided = m->desc.light.two_sided || scatter || custom };
     ssgi_surfel_cost cost;
     const char *why = "out of memory";
@@ -208,7 +208,7 @@ static ssgi_gl_chain chain_of(const kit_making *m, const surfels *s)
     /* surfels come out of a pass: from patches, or lit */
     chain.surfels = way == KIT_WAY_CAPTURE || (lit && way == KIT_WAY_CPU);
     if (s->lamps) chain.lights = m->lights;
-    if (way) chain.desc.text.dialect = kit_gl_is_es() ? SSGI_GL_DIALECT_320ES : SSGI_GL_DIALECT_410;
+    if (way) chain.desc.shader.dialect = kit_gl_is_es() ? SSGI_GL_DIALECT_320ES : SSGI_GL_DIALECT_410;
     return chain;
 }
 
@@ -223,7 +223,7 @@ static void connect_buffers(kit_run *run, const surfels *s, int way, int capture
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
         const int made = p->desc.pass == SSGI_GL_PASS_SURFELS;
-        if (!made && p->desc.pass != SSGI_GL_PASS_SPLAT) continue;
+        if (!made && p->desc.pass != SSGI_GL_PASS_DSS) continue;
         p->array = !made ? run->arrays[captured] : way ? run->arrays[0] : run->arrays[2];
         if (p->desc.surfel.tessellate) memcpy(p->patches, s->patches, sizeof s->patches);
         p->splits = s->desc.splits;

@@ -172,7 +172,7 @@ void kit_run_draw(kit_run *run, int timed)
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[step->frame]);
         bind_targets(run, p);
         glUseProgram(p->program);
-        if (p->desc.text.uniforms == SSGI_GL_UNIFORMS_LOOSE) set_values(run, p);
+        if (p->desc.shader.uniforms == SSGI_GL_UNIFORMS_LOOSE) set_values(run, p);
         if (timed == KIT_PASSES && !p->aside) kit_timer_begin();
         if (step->clear)
             for (GLint k = 0; k < step->outputs; ++k)

@@ -190,7 +190,7 @@ int kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_er
 {
     if (kit_run_keeps(run)) {
         if (!k) {
-            run->frame.history = 0;
+            run->frame.history_frames = 0;
             run->frame.phase = ssgi_gl_phase(first);
             kit_run_update(run);
         } else if (kit_run_follow(run, run, first + k, err)) return -1;

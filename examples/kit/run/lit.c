@@ -53,10 +53,10 @@ static int add_harmonic_light(kit_making *m)
     ssgi_gl_chain chain = kit_chain(m), bounce;
     chain.coefficients = m->set->filtered == KIT_FILTERED_COEFFICIENTS;
     chain.precise = store == KIT_STORE_FLOAT ? 2 : 1;
-    chain.desc.light.packed = store == KIT_STORE_PACKED || joint;            /* alike, so that both are rounded alike */
-    chain.desc.light.shaded = !chain.coefficients && !chain.desc.light.shading && !chain.desc.light.lights;
+    chain.desc.light.packed_coefficients = store == KIT_STORE_PACKED || joint;            /* alike, so that both are rounded alike */
+    chain.desc.light.shaded = !chain.coefficients && !chain.desc.light.shading && !chain.desc.light.harmonic_lights;
     bounce = chain;
-    bounce.desc.light.packed = 1;
+    bounce.desc.light.packed_coefficients = 1;
     bounce.desc.light.transfer = joint ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED;
     /* occluders may send more than is missing */
     if (chain.desc.light.restore) bounce.desc.light.restore = SSGI_GL_RESTORE_DIFFERENCE;
@@ -145,7 +145,7 @@ int kit_open_lit(kit_making *m, const float picture[16])
         int lobes = harmonics ? direct : 0;
         failed = add_harmonics(m, placed, &lobes);
         if (harmonics) count = direct = lobes;
-        m->desc.light.lights = lobes > 0;
+        m->desc.light.harmonic_lights = lobes > 0;
     }
     if (m->desc.light.residual && !s3ho && m->desc.light.environment == SSGI_GL_ENVIRONMENT_SH)
         failed = add_residual(m, NULL, 0);

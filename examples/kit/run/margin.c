@@ -71,7 +71,7 @@ static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
         for (int j = 0; j < run->passes; ++j) {
             const kit_pass *p = &run->pass[j];
             const int filters = p->desc.pass == SSGI_GL_PASS_BLUR || p->desc.pass == SSGI_GL_PASS_HISTORY;
-            const int texel = p->desc.gather.half >= SSGI_GL_HALF_QUARTER ? 4 : 2;
+            const int texel = p->desc.gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? 4 : 2;
             const int reach = rim[j] + (filters ? texel * (p->desc.filter.radius + 1) : 0);
             const int wanted = reach < ALL ? reach : ALL;
             for (int i = 0; i < run->passes && rim[j] >= 0; ++i) {

@@ -236,7 +236,7 @@ int kit_plan_chain(ssgi_gl_chain *chain, const ssgi_plan *p, int wanted, kit_err
     memset(chain, 0, sizeof *chain);
     if (wanted == SSGI_PLAN_WANTED_BOUNCE && p->method == SSGI_PLAN_METHOD_S3HO) {
         chain->desc.light.transfer = SSGI_GL_TRANSFER_BOTH;
-        chain->desc.light.packed = 1;
+        chain->desc.light.packed_coefficients = 1;
     }
     if (ssgi_gl_plan(&chain->desc, p, &why) != SSGI_OK) return kit_fail(err, "%s", why);
     if (wanted == SSGI_PLAN_WANTED_BOUNCE && p->method == SSGI_PLAN_METHOD_SSDO) {
@@ -260,8 +260,8 @@ int kit_plan_method(kit_method *m, const ssgi_plan *p, int wanted, kit_error *er
     m->set.history = chain.history;
     m->set.reuse = chain.reuse;
     m->set.indirect = chain.desc.light.transfer ? KIT_INDIRECT_JOINT : KIT_INDIRECT_NONE;
-    if (p->resolution) m->set.resolution = p->resolution;
-    if (p->size > 0) snprintf(size, sizeof size, "size=%g", (double)p->size);
+    if (p->field_resolution) m->set.field_resolution = p->field_resolution;
+    if (p->surfel_size > 0) snprintf(size, sizeof size, "size=%g", (double)p->surfel_size);
     return kit_method_set(m, size, err);
 }
 

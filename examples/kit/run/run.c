@@ -9,8 +9,8 @@ static int ask_gbuffer(const kit_making *m, kit_gbuffer *g)
     const kit_scene *scene = m->world->scene;
     const ssgi_gl_desc *gather = &m->desc;
     const int two = gather->gather.thickness == SSGI_GL_THICKNESS_SLABS;
-    if (gather->gather.half && !m->blurred)
-        return kit_fail(m->err, "--set half=1: needs blur=1 or more, which brings it to full size");
+    if (gather->gather.resolution && !m->blurred)
+        return kit_fail(m->err, "--set resolution=half: needs blur=1 or more, which brings it to full size");
     if (gather->gather.layers > g->layers && !scene)
         return kit_fail(m->err, "--set layers=%d: the frame has %d", gather->gather.layers, g->layers);
     if (gather->gather.views && !scene)
@@ -37,10 +37,10 @@ static int open_visibility(kit_making *m, const float picture[16])
 
 static void add_kernel(kit_making *m)
 {
-    const int sets = m->set->sets, samples = m->desc.gather.samples;
+    const int sets = m->set->sets, samples = m->desc.gather.directions;
     float *kernel = malloc(4 * (size_t)(sets * samples) * sizeof *kernel);
     if (kernel)
-        ssgi_directions(kernel, m->desc.gather.uniform ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE, sets,
+        ssgi_directions(kernel, m->desc.gather.uniform_directions ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE, sets,
                         samples, NULL);
     m->run->kernel = kit_keep(m->run, kernel ? kit_texture(samples, sets, GL_RGBA32F, kernel) : 0);
     free(kernel);
@@ -50,7 +50,7 @@ static void add_kernel(kit_making *m)
 static void add_noise(kit_making *m)
 {
     static float tile[4 * 64 * 64];
-    const int sets = m->desc.gather.kernel ? m->set->sets : 16;
+    const int sets = m->desc.gather.kernel_texture ? m->set->sets : 16;
     int size = 4;
     while (size < 64 && size * size % sets) ++size;
     if (ssgi_noise_tile(tile, size, sets, 1, NULL) != SSGI_OK) ssgi_noise_tile(tile, size = 4, 16, 1, NULL);
@@ -88,17 +88,17 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     run->lit = m->method->lit;
     run->frame.origin[0] = g->viewport[0];
     run->frame.origin[1] = g->viewport[1];
-    m->desc.text.dialect = kit_dialect();
+    m->desc.shader.dialect = kit_dialect();
     m->desc.input.orthographic = view.orthographic;
     m->desc.input.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
     if (kit_settings_apply(m, radius) || ask_gbuffer(m, g)) return -1;
     kit_camera_matrices(&g->camera, picture, projection);
-    const int failed = m->desc.pass == SSGI_GL_PASS_SPLAT   ? kit_open_deep(m, &view, picture)
-                       : m->desc.pass == SSGI_GL_PASS_FIELD ? kit_open_field(m, picture)
+    const int failed = m->desc.pass == SSGI_GL_PASS_DSS   ? kit_open_deep(m, &view, picture)
+                       : m->desc.pass == SSGI_GL_PASS_AOF ? kit_open_field(m, picture)
                        : run->lit                        ? kit_open_lit(m, picture)
                                                          : open_visibility(m, picture);
     if (failed) return -1;
-    if (m->desc.gather.kernel) add_kernel(m);
+    if (m->desc.gather.kernel_texture) add_kernel(m);
     if (m->desc.gather.noise == SSGI_GL_NOISE_TEXTURE) add_noise(m);
     kit_limit_passes(run);
     run->bytes = kit_run_bytes(run);
@@ -106,7 +106,7 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     kit_run_update(run);
     /* reuse reads a last frame; dimmed, a second bounce, reads one of emitters; bounced adds a bounce a frame, of which
        the ninth is negligible */
-    const int frames = m->set->bounced ? 8 : m->set->reuse || m->set->dimmed ? 2 : 0;
+    const int frames = m->set->bounced ? 8 : m->set->reuse || m->set->occluded_emitters ? 2 : 0;
     for (int i = 0; i < frames; ++i) kit_run_draw(run, 0);
     return 0;
 }

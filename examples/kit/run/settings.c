@@ -39,7 +39,7 @@ ROW(limit_row, thickness_limit, "constant thickness of visible surfaces, or the 
     NULL, 0, 0, 100, SCALED, FRAMED(thickness_limit))
 OF(thickness_row, thickness, gather.thickness, GATHER, 0, "how thick visible surfaces are: as width for slices, "
     "else as constant; thickness_limit; unlimited; as thick as wide in the picture; to the back face; two slabs")
-OF(half_row, half, gather.half, GATHER, 0,
+OF(gathered_row, resolution, gather.resolution, GATHER, 0,
    "the pixels that are gathered, brought to full size by the filter: all, one of every 2x2, or each of the four in "
    "turn; one of every 4x4, or each of the sixteen in turn")
 ROW(offset_row, offset, "lift of the receiver along its normal, in half pixels",
@@ -60,8 +60,8 @@ ROW(view_size_row, view_size, "pixels of an extra camera's side", NULL, 256, 16,
 ROW(history_row, history, "1: frames are averaged, at full size; the first is as without",
     NULL, 0, 0, 1, PLAN, 0)
 ROW(margin_row, margin, "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, PLAN, 0)
-COUNT(samples_row, samples, gather.samples, GATHER, 16, "directions per pixel")
-COUNT(march_row, steps, gather.steps, GATHER, 1,
+COUNT(points_row, directions, gather.directions, GATHER, 16, "directions per pixel")
+COUNT(along_row, samples, gather.samples, GATHER, 1,
       "points along a direction; the first occluded one counts: of many "
       "that is near the receiver, and with thickness=solid all that has a surface before it is dark, to a hard edge at "
       "the "
@@ -76,18 +76,18 @@ OF(fade_row, fade, gather.fade, GATHER, 0, "weight of an occluder by the distanc
     "none: a far surface sends as if it were at the point, and a bounce may err more than none")
 ROW(lambda_row, lambda, "how fast that fade is, per radius: a larger one leaves less", NULL, 0, 0, 1000, FRAME,
     FRAMED(lambda))
-OF(range_row, range, gather.range, GATHER, 0, "1: ignore surfaces beyond the radius or below the receiver's plane")
+OF(range_row, range_check, gather.range_check, GATHER, 0, "1: ignore surfaces beyond the radius or below the receiver's plane")
 ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0, 0, 1, SCALED, FRAMED(fade))
 ROW(sets_row, sets, "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, PLAN, 0)
-OF(uniform_row, uniform, gather.uniform, GATHER, 0, "1: directions are spread evenly and weighted by the "
+OF(uniform_row, uniform_directions, gather.uniform_directions, GATHER, 0, "1: directions are spread evenly and weighted by the "
     "cosine, as published; 0: they are spread by it")
-COUNT(slices_row, directions, gather.directions, GATHER, 1, "slices, two directions each")
-COUNT(dirs_row, directions, gather.directions, GATHER, 6, "N_d: directions in the tangent plane")
-COUNT(steps_row, steps, gather.steps, GATHER, 6, "N_s: steps per direction")
+COUNT(slices_row, slices, gather.slices, GATHER, 1, "slices, two directions each")
+COUNT(directions_row, directions, gather.directions, GATHER, 6, "N_d: directions in the tangent plane")
+COUNT(samples_row, samples, gather.samples, GATHER, 6, "N_s: samples along each direction")
 OF(rays_row, normal_rays, gather.normal_rays, GATHER, 0, "N_n: rays above the horizon, per direction")
-OF(terms_row, terms, gather.terms, GATHER, 0, "horizon and normal rays; either alone; rays over the whole hemisphere, "
+OF(terms_row, march_terms, gather.march_terms, GATHER, 0, "horizon and normal rays; either alone; rays over the whole hemisphere, "
     "without a horizon")
-OF(spheres_row, spheres, gather.spheres, GATHER, 0, "1: the horizon rises only to surfaces within a sphere that "
+OF(sphere_row, growing_sphere, gather.growing_sphere, GATHER, 0, "1: the horizon rises only to surfaces within a sphere that "
     "grows with the ray")
 
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
@@ -106,7 +106,7 @@ ROW(gain_row, gain, "area of patches, times pi r^2/N", NULL, 0, 0, 1000, FRAME, 
 OF(shadows_row, shadows, light.shadow, LIGHTS, 2, "shadows of --light: by screen-space segments, maps, maps with "
     "segments over their bias")
 OF(shadows_d_row, shadows, light.shadow, LIGHTS, 1, "shadows of --light: by maps, or none")
-COUNT(points_row, points, gather.samples, LIGHTS, 8, "points on a segment toward a light")
+COUNT(segment_row, points, gather.samples, LIGHTS, 8, "points on a segment toward a light")
 ROW(solid_row, solid, "1: shadows take surfaces as unlimited in thickness", NULL, 0, 0, 1, PLAN, 0)
 ROW(max_slope_row, max_slope, "largest slope that the shadow maps' bias follows",
     NULL, 0, 0, 1000, FRAME, FRAMED(max_slope))
@@ -124,7 +124,7 @@ ROW(packed_row, store, "coefficients that are filtered or meet lamps: halves, pa
     "half packed float", 1, 0, 2, PLAN, 0)
 ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in a gather of its own",
     "none joint apart", 1, 0, 2, PLAN, 0)
-OF(dimmed_row, dimmed, light.dimmed, GATHER, 0, "1: emitters reflect the light that the last frame let through to "
+OF(occluded_row, occluded_emitters, light.occluded_emitters, GATHER, 0, "1: emitters reflect the light that the last frame let through to "
     "them, not all of it: several bounces")
 ROW(filtered_row, filtered, "the filter smooths these", "coefficients light", 1, 0, 1, PLAN, 0)
 OF(residual_row, residual, light.residual, GATHER, 1, "1: unoccluded irradiance is exact, harmonics give the "
@@ -146,7 +146,7 @@ ROW(shadowed_row, lights, "--light by maps and segments, or as harmonics of two 
 ROW(cone_row, cone, "environment over the cone of unoccluded directions, or irradiance along their mean",
     "normal cone", 1, 0, 1, PLAN, 0)
 
-ROW(resolution_row, resolution, "texels along a side of a field's cube map", NULL, 16, 2, 128, PLAN, 0)
+ROW(resolution_row, field_resolution, "texels along a side of a field's cube map", NULL, 16, 2, 128, PLAN, 0)
 ROW(radii_row, radii, "distances sampled along each direction", NULL, 12, 4, 64, PLAN, 0)
 ROW(rays_a_row, rays, "rays a sample of the bake", NULL, 96, 16, 65536, PLAN, 0)
 ROW(unfiltered_row, unfiltered, "1: a bake without the doubled resolution and the Gaussian", NULL, 0, 0, 1, PLAN, 0)
@@ -219,41 +219,41 @@ typedef struct plan {
 #define ROUGH &facets_row, &lift_row
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define POINTS \
-    &samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
-        &range_row, &half_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP
-#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &thickness_row, &limit_row, &offset_row, ROUGH
+    &points_row, &along_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
+        &range_row, &gathered_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP
+#define WALK &slices_row, &samples_row, &falloff_row, &gathered_row, &thickness_row, &limit_row, &offset_row, ROUGH
 #define SSDO(...) \
     SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &bounced_row, \
-             &two_sided_row, &clamp_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, \
+             &two_sided_row, &clamp_row, &distance_clamp_row, &gain_row, &shadows_row, &segment_row, &solid_row, \
              &max_slope_row, \
              &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
              &restore_row, &compare_row, &margin_row, &history_row)
 #define COEFFICIENTS(store, lights, ...) \
-    __VA_ARGS__, store, &filtered_row, &window_row, lights, &shadows_row, &points_row, &solid_row, \
+    __VA_ARGS__, store, &filtered_row, &window_row, lights, &shadows_row, &segment_row, &solid_row, \
         &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
         &vector_restore_row, &compare_row, &margin_row, &history_row
 #define S3HO(...) \
-    SETTINGS(&bands_row, &indirect_row, &dimmed_row, &residual_row, &two_sided_row, &clamp_row, \
+    SETTINGS(&bands_row, &indirect_row, &occluded_row, &residual_row, &two_sided_row, &clamp_row, \
              COEFFICIENTS(&packed_row, &lights_row, __VA_ARGS__))
 #define SSBN(...) SETTINGS(&cone_row, &lamp_residual_row, COEFFICIENTS(&store_row, &shadowed_row, __VA_ARGS__))
 #define SURFELS(size, every, levels, ...) \
     SETTINGS(size, &epsilon_row, levels, &way_row, &splits_row, &overhang_row, &offscreen_growth_row, every, \
-             &near_depth_row, &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, &half_row, &blur_row, \
+             &near_depth_row, &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, &gathered_row, &blur_row, \
              __VA_ARGS__)
 #define PUBLISHED &enlarge_row, &combine_row
-#define NEAR &span_row, &slices_row, &steps_row, &thickness_row
+#define NEAR &span_row, &slices_row, &samples_row, &thickness_row
 #define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { SSGI_GL_PASS_SSAO, SSGI_GL_SEARCH_SLICES, 0,
-      SETTINGS(&samples_row, &march_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row,
-               &range_row, &half_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP, &normal_row, &noise_row,
+      SETTINGS(&points_row, &along_row, &sets_row, &uniform_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row,
+               &range_row, &gathered_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP, &normal_row, &noise_row,
                &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
     { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, 0,
-      SETTINGS(&slices_row, &steps_row, &half_row, &thickness_row, &limit_row, &falloff_row, &normal_row, &noise_row,
+      SETTINGS(&slices_row, &samples_row, &gathered_row, &thickness_row, &limit_row, &falloff_row, &normal_row, &noise_row,
                &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, &left_handed_row,
                &offset_row, ROUGH) },
     { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH, 0,
-      SETTINGS(&dirs_row, &steps_row, &rays_row, &terms_row, &spheres_row, &half_row, &thickness_row, &limit_row,
+      SETTINGS(&directions_row, &samples_row, &rays_row, &terms_row, &sphere_row, &gathered_row, &thickness_row, &limit_row,
                &falloff_row, &offset_row, ROUGH, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row,
                &compare_row, &margin_row, &history_row) },
     { SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, 0, SSDO(WALK, &one_sided_row) },
@@ -262,15 +262,15 @@ static const plan plans[] = {
     { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS, 0, S3HO(POINTS) },
     { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_SLICES, 1, SSBN(WALK) },
     { SSGI_GL_PASS_S3HO, SSGI_GL_SEARCH_POINTS, 1, SSBN(POINTS) },
-    { SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_OCCLUSION, 0,
+    { SSGI_GL_PASS_DSS, SSGI_GL_EFFECT_OCCLUSION, 0,
       SURFELS(&size_row, &keep_small_row, &levels_row, &falloff_row, PUBLISHED, NEAR) },
-    { SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_LIGHT, 0,
+    { SSGI_GL_PASS_DSS, SSGI_GL_EFFECT_LIGHT, 0,
       SURFELS(&size_row, &keep_small_row, &levels_row, &sent_row, &hidden_sky_row, LIT_SURFELS, PUBLISHED, NEAR) },
-    { SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SPECULAR, 0,
+    { SSGI_GL_PASS_DSS, SSGI_GL_EFFECT_SPECULAR, 0,
       SURFELS(&fine_size_row, &keep_small_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
-    { SSGI_GL_PASS_SPLAT, SSGI_GL_EFFECT_SCATTER, 0,
+    { SSGI_GL_PASS_DSS, SSGI_GL_EFFECT_SCATTER, 0,
       SURFELS(&fine_size_row, &each_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
-    { SSGI_GL_PASS_FIELD, 0, 0,
+    { SSGI_GL_PASS_AOF, 0, 0,
       SETTINGS(&resolution_row, &radii_row, &rays_a_row, &unfiltered_row, &reach_row, &ramp_row, &inside_row,
                &power_row, &own_row, &occluders_row, &normal_row, &cap_table_row) }
 };
@@ -279,7 +279,7 @@ enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 static const plan *plan_of(const ssgi_gl_chain *chain)
 {
     const ssgi_gl_desc *d = &chain->desc;
-    const int search = d->pass == SSGI_GL_PASS_SPLAT ? (int)d->surfel.effect : (int)d->gather.search;
+    const int search = d->pass == SSGI_GL_PASS_DSS ? (int)d->surfel.effect : (int)d->gather.search;
     int k = 0;
     while (k < PLANS - 1 && (plans[k].pass != (int)d->pass || plans[k].search != search
                              || plans[k].bent != (d->light.shading != SSGI_GL_SHADING_HARMONICS)))
@@ -362,7 +362,7 @@ int kit_method_at(kit_method *method, int i)
     m.plan = plan_of(&chain);
     m.pass = named->pass;
     m.effect = chain.desc.surfel.effect;
-    m.between = m.pass == SSGI_GL_PASS_FIELD;
+    m.between = m.pass == SSGI_GL_PASS_AOF;
     m.lit = m.pass == SSGI_GL_PASS_SSDO || m.pass == SSGI_GL_PASS_S3HO || m.effect != SSGI_GL_EFFECT_OCCLUSION;
     for (int k = 0; k < m.plan->count; ++k)
         set_value(&m.set, m.plan->rows[k], initial_of(m.plan->rows[k], &chain, &frame));
@@ -515,7 +515,7 @@ ssgi_field_desc kit_method_field(const kit_method *method)
 {
     ssgi_field_desc d;
     memset(&d, 0, sizeof d);
-    d.resolution = method->set.resolution;
+    d.resolution = method->set.field_resolution;
     d.radii = method->set.radii;
     d.rays = method->set.rays;
     d.reach = (float)method->set.reach;
@@ -535,10 +535,10 @@ static int check_combination(const kit_making *m)
     if (set->indirect == KIT_INDIRECT_JOINT && set->store != KIT_STORE_PACKED)
         return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs "
                                 "indirect=none or apart", set->store == KIT_STORE_FLOAT ? "float" : "half");
-    if (set->dimmed
+    if (set->occluded_emitters
         && (set->indirect != KIT_INDIRECT_JOINT || set->filtered != KIT_FILTERED_COEFFICIENTS || !set->blur
             || set->margin > 0))
-        return kit_fail(m->err, "--set dimmed=1: reads the last frame's filtered coefficients: it needs "
+        return kit_fail(m->err, "--set occluded_emitters=1: reads the last frame's filtered coefficients: it needs "
                                 "indirect=joint, filtered=coefficients, blur=1 or more and margin=0");
     return 0;
 }
@@ -549,10 +549,10 @@ int kit_settings_apply(kit_making *m, float radius)
     const kit_settings *set = m->set;
     ssgi_gl_desc *to[2] = { &m->desc, &m->lights };
     m->desc.pass = of->pass;
-    if (of->pass == SSGI_GL_PASS_SPLAT) m->desc.surfel.effect = of->search; else m->desc.gather.search = of->search;
+    if (of->pass == SSGI_GL_PASS_DSS) m->desc.surfel.effect = of->search; else m->desc.gather.search = of->search;
     if (m->method->custom) {
         m->desc.surfel.effect = SSGI_GL_EFFECT_CUSTOM;
-        m->desc.text.fetch = m->method->custom;
+        m->desc.shader.fetch = m->method->custom;
     }
     m->lights = m->desc;
     m->lights.pass = SSGI_GL_PASS_LIGHTS;
@@ -569,7 +569,7 @@ int kit_settings_apply(kit_making *m, float radius)
     if (check_combination(m)) return -1;
     m->desc.filter.radius = set->blur;
     m->desc.gather.noise = m->lights.gather.noise = set->noise;
-    m->desc.gather.kernel = set->sets > 0;
+    m->desc.gather.kernel_texture = set->sets > 0;
     m->desc.light.clamp = set->clamp > 0;
     if (set->clamp > 0) m->run->frame.sent = (float)set->clamp;
     m->lights.gather.thickness = set->solid ? SSGI_GL_THICKNESS_SOLID : SSGI_GL_THICKNESS_CONSTANT;
@@ -578,7 +578,7 @@ int kit_settings_apply(kit_making *m, float radius)
             m->desc.light.bands = 2;
             m->desc.light.shading = set->cone ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
         }
-        m->desc.light.packed = set->store == KIT_STORE_PACKED;
+        m->desc.light.packed_coefficients = set->store == KIT_STORE_PACKED;
         if (set->lights == KIT_LIGHTS_HARMONICS) m->lights.light.shadow = SSGI_GL_SHADOW_NONE;
     }
     if (set->normal || !m->run->gbuffer->normal)

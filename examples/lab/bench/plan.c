@@ -43,7 +43,7 @@ int plan_measure(plan_costs *costs, const place *p, kit_error *err)
 {
     kit_method unit;
     double longest = 0;
-    if (kit_method_find(&unit, "ssao", err) || kit_method_set(&unit, "samples=16,blur=0", err)) return -1;
+    if (kit_method_find(&unit, "ssao", err) || kit_method_set(&unit, "directions=16,blur=0", err)) return -1;
     for (int k = 0; k < BENCH_PLAN_ROUNDS && (!k || kit_seconds() + longest < p->end); ++k) {
         const double began = kit_seconds(), seconds = (p->end - began) / (4 * count * (BENCH_PLAN_ROUNDS - k));
         for (int i = 0; i < count; ++i) {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const more[][2] = { { "ssao", "samples=32" },  { "hsao", "normal=depth" },
+static const char *const more[][2] = { { "ssao", "directions=32" },  { "hsao", "normal=depth" },
                                        { "hsao", "thickness=back" }, { "hsao", "thickness=slabs" },
                                        { "hsao", "history=1" },   { "ssdo", "bounce=none" },
                                        { "ssdo", "reuse=1" } };

@@ -10,10 +10,10 @@
 /* The same reach, radius sqrt(1 / epsilon - 1) 2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: of the
    picture's width and height, brought to full size bilinearly. */
 static const sized deep_figure9[] = {
-    { DSS("5 levels", COARSE ",half=0,levels=5,epsilon=0.1", 1), 0 },
-    { DSS("full size, 1 level", COARSE ",half=0,levels=1,epsilon=0.000433839", 1), 0 },
-    { DSS("half size, 1 level", COARSE ",half=0,levels=1,epsilon=0.000433839", 1), 1 },
-    { DSS("half size, 5 levels", COARSE ",half=0,levels=5,epsilon=0.1", 0), 1 }
+    { DSS("5 levels", COARSE ",resolution=full,levels=5,epsilon=0.1", 1), 0 },
+    { DSS("full size, 1 level", COARSE ",resolution=full,levels=1,epsilon=0.000433839", 1), 0 },
+    { DSS("half size, 1 level", COARSE ",resolution=full,levels=1,epsilon=0.000433839", 1), 1 },
+    { DSS("half size, 5 levels", COARSE ",resolution=full,levels=5,epsilon=0.1", 0), 1 }
 };
 
 typedef struct growth { const char *label, *settings; int width; } growth;

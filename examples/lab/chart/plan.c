@@ -39,9 +39,9 @@ static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 
 static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
 {
-    return a->method == b->method && a->thickness == b->thickness && a->half == b->half
-           && a->directions == b->directions && a->steps == b->steps && a->bands == b->bands && a->history == b->history
-           && a->resolution == b->resolution && !(fabsf(a->size - b->size) > 0);
+    return a->method == b->method && a->thickness == b->thickness && a->resolution == b->resolution
+           && a->slices == b->slices && a->samples == b->samples && a->bands == b->bands && a->history == b->history
+           && a->field_resolution == b->field_resolution && !(fabsf(a->surfel_size - b->surfel_size) > 0);
 }
 
 /* What is known: a calibration; a survey alone; of that what a captured frame tells: neither slabs nor surfels. */

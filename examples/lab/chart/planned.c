@@ -138,7 +138,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         r->error[i] = r->cost[i] = (double)NAN;
         if (!ssgi_plan_choice(&p, i, &r->numbers)) continue;
-        const int time = timed || p.method == SSGI_PLAN_METHOD_SURFELS || p.method == SSGI_PLAN_METHOD_FIELD;
+        const int time = timed || p.method == SSGI_PLAN_METHOD_DSS || p.method == SSGI_PLAN_METHOD_AOF;
         if (planned_draw(&picture, &r->cost[i], s, &p, wanted, &fixed, time, err)) return -1;
         r->error[i] = kit_plan_error(&picture, truth, &s->frame, wanted);
         kit_image_free(&picture);
@@ -272,7 +272,7 @@ void planned_smooth(planned_row *rows, int count)
             const double by = pass && n ? kit_median(ratio, n) : 1;
             for (int i = 0; i < count; ++i) {
                 if (!(rows[i].cost[c] > 0) || !ssgi_plan_choice(&p, c, &rows[i].numbers)
-                    || p.method == SSGI_PLAN_METHOD_SURFELS || p.method == SSGI_PLAN_METHOD_FIELD)
+                    || p.method == SSGI_PLAN_METHOD_DSS || p.method == SSGI_PLAN_METHOD_AOF)
                     continue;
                 if (pass) rows[i].cost[c] = by * (double)p.cost;
                 else if (rows[i].timed) ratio[n++] = rows[i].cost[c] / (double)p.cost;

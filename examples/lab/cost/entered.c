@@ -89,14 +89,15 @@ static found results[DRAWN][2][SEEDS];
 
 static int read(found *f, const kit_pass *p, const body *b, kit_error *err)
 {
-    const int gathered = p->desc.gather.directions * p->desc.gather.steps, times = b->times ? b->times : 2 * gathered;
+    const int ways = p->desc.gather.slices ? p->desc.gather.slices : p->desc.gather.directions,
+              gathered = ways * p->desc.gather.samples, times = b->times ? b->times : 2 * gathered;
     told *texel = malloc((size_t)p->width * (size_t)p->height * sizeof *texel);
     const int failed = !texel || (b->times ? times : gathered) > MOST_BITS ||
                        kit_texture_read(p->target[0], p->width, p->height, 2, texel->entered);
     for (int t = 0; t < TILES && !failed; ++t)
         f->share[t] = share_of(texel, p->width, p->height, &tiles[t], times, &f->waves[t]);
-    f->half = p->desc.gather.half > 0;
-    f->steps = p->desc.gather.steps;
+    f->half = p->desc.gather.resolution > 0;
+    f->steps = p->desc.gather.samples;
     free(texel);
     return failed ? kit_fail(err, "what texels tell cannot be read, or is more than %d bits", MOST_BITS) : 0;
 }

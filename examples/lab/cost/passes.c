@@ -79,7 +79,7 @@ static void add_pass(cost_chain *c, int program, const ssgi_gl_step *steps, int 
     cost_pass *p = &c->pass[c->passes++];
     const double texels = (double)s->width * s->height;
     *p = (cost_pass) { .name = ssgi_gl_pass_name(s->desc.pass), .program = program, .width = s->width,
-                       .height = s->height, .vertices = s->desc.pass == SSGI_GL_PASS_SPLAT ? s->vertices : 0 };
+                       .height = s->height, .vertices = s->desc.pass == SSGI_GL_PASS_DSS ? s->vertices : 0 };
     for (int i = 0; i < s->inputs; ++i) {
         const ssgi_gl_input *in = &s->input[i];
         p->bytes_in += in->meaning >= 0 ? (double)WIDTH * HEIGHT * bytes_of_yours(in, &s->desc)

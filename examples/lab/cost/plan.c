@@ -9,7 +9,7 @@ static int choice[MOST_CHAINS];
 int plan_add(work *w, kit_error *err)
 {
     ssgi_plan_scene s = { .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .surfels = 1, .map = 1 };
-    if (work_add_chain(w, "ssao,samples=16,blur=0", err)) return -1;
+    if (work_add_chain(w, "ssao,directions=16,blur=0", err)) return -1;
     for (s.wanted = 0; s.wanted < SSGI_PLAN_WANTED_OBJECTS; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             ssgi_gl_chain chain;

@@ -64,8 +64,8 @@ double share_recorded(const csv *shares, int which, const ssgi_gl_desc *d, const
 {
     double least = (double)INFINITY, share = (double)NAN;
     for (int i = 0; i < shares->rows; ++i) {
-        const double off = 100 * ((csv_number(shares, i, "half") > 0) != (d->gather.half > 0)) +
-                           fabs(csv_number(shares, i, "steps") - d->gather.steps);
+        const double off = 100 * ((csv_number(shares, i, "half") > 0) != (d->gather.resolution > 0)) +
+                           fabs(csv_number(shares, i, "steps") - d->gather.samples);
         if (strcmp(csv_text(shares, i, "body"), bodies[which].name) || strcmp(csv_text(shares, i, "tile"), t->name) ||
             !strcmp(csv_text(shares, i, "camera"), "stands") || off >= least) continue;
         least = off;

@@ -98,7 +98,7 @@ int shaded_seen(shaded *m, const stage *s, const kit_image *whole, kit_error *er
     all.frame = *whole;
     all.lit = NULL;
     *m = (shaded){ .on = NULL };
-    if (stage_drawn(&quiet, &all, "hsao-best", "directions=8", s->radius, err)) return -1;
+    if (stage_drawn(&quiet, &all, "hsao-best", "slices=8", s->radius, err)) return -1;
     shaded_find(m, &all, &quiet, &none);
     kit_image_free(&quiet);
     return 0;

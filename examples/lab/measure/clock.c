@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-const entry clock_reference = { "ssao, no blur", "ssao", "samples=16,blur=0", 1 };
+const entry clock_reference = { "ssao, no blur", "ssao", "directions=16,blur=0", 1 };
 
 /* At least LEAST_ROUNDS, then no more where a time is SLOW times the reference's or ratios agree. */
 enum { LEAST_ROUNDS = 2, SLOW = 5 };

@@ -58,7 +58,7 @@ function means(rows) {
 
 /* The chain of make cost that a row is of; a device's milliseconds of it, where that was modelled. */
 const chain_words = { 'normal=depth': 'normal=from_depth',
-                      'indirect=none': 'transfer=direct,packed=0,restore=ratio' };
+                      'indirect=none': 'transfer=direct,packed_coefficients=0,restore=ratio' };
 const chain_key = text => text.toLowerCase().split(',').sort().join();
 function modelled(r, device = 'RX 6800') {
     const others = peer(r) ? entry('cost-peers', 'cost') ?? [] : null;

@@ -7,10 +7,10 @@
 static int draw_passes(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     static const entry parts[] = {
-        { "horizon", "hsao-march", "directions=7,steps=12,normal_rays=0,blur=0", 1 },
-        { "both", "hsao-march", "directions=7,steps=12,normal_rays=1,blur=0", 1 },
-        { "one tap", "hsao-march", "directions=1,steps=1,normal_rays=0,blur=0", 1 },
-        { "one tap, filtered", "hsao-march", "directions=1,steps=1,normal_rays=0,filter=gaussian,blur=2", 1 }
+        { "horizon", "hsao-march", "directions=7,samples=12,normal_rays=0,blur=0", 1 },
+        { "both", "hsao-march", "directions=7,samples=12,normal_rays=1,blur=0", 1 },
+        { "one tap", "hsao-march", "directions=1,samples=1,normal_rays=0,blur=0", 1 },
+        { "one tap, filtered", "hsao-march", "directions=1,samples=1,normal_rays=0,filter=gaussian,blur=2", 1 }
     };
     row part[COUNT(parts)];
     for (int i = 0; i < t->count; ++i) {
@@ -37,9 +37,9 @@ static int draw_stages(FILE *record, const options *o, const sheet *t, row *rows
 {
     static const struct { const char *label, *method, *more; } effects[] = {
         { "AO", "dss", "" }, { "DO", "dss-lit", ",bounce=none" }, { "DO, GI", "dss-lit", "" },
-        { "specular", "dss-gloss", "way=capture,size=0.015,epsilon=0.1,levels=5,half=0,overhang=centroid,"
+        { "specular", "dss-gloss", "way=capture,size=0.015,epsilon=0.1,levels=5,resolution=full,overhang=centroid,"
                                    "near_samples=1,enlarge=1,combine=add" },
-        { "SSS", "dss-scatter", "way=capture,half=0,overhang=centroid,near_samples=1,material=marble,unit=0.05,"
+        { "SSS", "dss-scatter", "way=capture,resolution=full,overhang=centroid,near_samples=1,material=marble,unit=0.05,"
                                 "levels=7,epsilon=0.02" },
         { "AO, the library's", "dss", "way=capture" }
     };

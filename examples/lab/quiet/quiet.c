@@ -60,7 +60,7 @@ static int walk_whole(quiet *q, const char *method, const char *settings, kit_er
 {
     char text[384];
     kit_method m;
-    snprintf(text, sizeof text, "%s%shalf=0,history=0,directions=%d,steps=%d", settings, *settings ? "," : "",
+    snprintf(text, sizeof text, "%s%sresolution=full,history=0,slices=%d,samples=%d", settings, *settings ? "," : "",
              CONVERGED, WALKED);
     if (kit_method_find(&m, method, err) || kit_method_set(&m, text, err)) return -1;
     if (q->walk.data && !memcmp(&m.set, &q->walked, sizeof m.set)) return 0;
@@ -253,7 +253,7 @@ static int add_entry(quiet *q, const char *text, kit_error *err)
 
 static int parse(quiet *q, int argc, char **argv, kit_error *err)
 {
-    static const char *const presets[] = { "hsao-fast", "hsao", "hsao:directions=3", "hsao-history", "hsao-best",
+    static const char *const presets[] = { "hsao-fast", "hsao", "hsao:slices=3", "hsao-history", "hsao-best",
                                            "hsao:thickness=slabs", "ssao" };
     char end;
     *q = (quiet){ .scene = "spheres", .out = "build/quiet.csv", .width = 960, .height = 540, .rays = RAYS };

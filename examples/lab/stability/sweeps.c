@@ -21,13 +21,13 @@ const swept sweeps_method[] = {
     { "ssbn",       "ssbn",       "",                             LIGHT | TURNED, 1920 },
     { "hsao-fast-history", "hsao-fast", "history=1",             KEPT,           1920 },
     { "hsao-history", "hsao-history", "",                        KEPT,           1920 },
-    { "hsao-2x10-history", "hsao", "steps=10,history=1",          KEPT,           1920 },
+    { "hsao-2x10-history", "hsao", "samples=10,history=1",          KEPT,           1920 },
     { "ssdo-history", "ssdo",    "bounce=none,history=1",        KEPT | KEPT_LIGHT, 1920 },
     { "ssdo-fast-history", "ssdo-fast", "bounce=none,history=1", KEPT_LIGHT,     1920 },
     /* at full size, with the reach that a close look wants, 0.7 image heights; 4 levels reach 0.18 */
-    { "dss",        "dss",        "levels=6,half=0",              OF_SURFELS,       1280 },
+    { "dss",        "dss",        "levels=6,resolution=full",              OF_SURFELS,       1280 },
     { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED,         1280 },
-    { "aof",        "aof",        "resolution=8,radii=8,rays=64", FIELD,          1920 }
+    { "aof",        "aof",        "field_resolution=8,radii=8,rays=64", FIELD,          1920 }
 };
 const int sweeps_methods = sizeof sweeps_method / sizeof *sweeps_method;
 _Static_assert(sizeof sweeps_method / sizeof *sweeps_method <= MOST_METHODS, "more methods than MOST_METHODS");

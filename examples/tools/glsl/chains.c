@@ -9,8 +9,8 @@ static const char *const variations[] = {
     "hsao,normal=FROM_DEPTH", "ssdo-fast,bounce=NONE", "ssdo,bounce=NONE", "ssdo-best,bounce=NONE",
     "ssdo,bounce=NONE,thickness=SLABS", "ssdo-best,bounce=NONE,thickness=SLABS", "ssdo,bounce=NONE,history=1",
     "ssdo,bounce=NONE,environment=SH,residual=1", "ssdo,reuse=1", "ssdo,lights.shadow=FILL",
-    "ssdo-points,bounce=NONE", "s3ho-fast,transfer=DIRECT,packed=0,restore=RATIO",
-    "s3ho,transfer=DIRECT,packed=0,restore=RATIO", "s3ho-best,transfer=DIRECT,packed=0,restore=RATIO",
+    "ssdo-points,bounce=NONE", "s3ho-fast,transfer=DIRECT,packed_coefficients=0,restore=RATIO",
+    "s3ho,transfer=DIRECT,packed_coefficients=0,restore=RATIO", "s3ho-best,transfer=DIRECT,packed_coefficients=0,restore=RATIO",
     "s3ho,transfer=DIRECT,shaded=0,restore=NONE,coefficients=1", "dss-best,span=0",
     "dss,effect=LIGHT,environment=MAP", "dss-lit,hidden_sky=1"
 };
@@ -45,7 +45,7 @@ int chain_steps(ssgi_gl_step steps[MOST_STEPS], const ssgi_gl_chain *chain, int 
 {
     ssgi_gl_chain c = *chain;
     const char *why = "";
-    c.desc.text.dialect = c.lights.text.dialect = dialect;
+    c.desc.shader.dialect = c.lights.shader.dialect = dialect;
     const int count = ssgi_gl_steps(NULL, 0, &c, &why);
     if (!count) return kit_fail(err, "%s", why), 0;
     if (count > MOST_STEPS) return kit_fail(err, "it has more than %d steps", MOST_STEPS), 0;

@@ -30,7 +30,7 @@ int choice_at(choice *c, int i)
     if (!i--) return 1;
     for (int k = 0; (field = ssgi_gl_choice_at(k)) != NULL; ++k) {
         const int each = *field->values || field->most <= 4, values = each ? field->most : 1;
-        if (!strcmp(field->name, "pass") || !strncmp(field->field, "text.", 5)) continue;
+        if (!strcmp(field->name, "pass") || !strncmp(field->field, "shader.", 7)) continue;
         if (i >= values) {
             i -= values;
             continue;
@@ -56,19 +56,19 @@ static const section sections[] = {
     { "sh", { .pass = SSGI_GL_PASS_SSDO, .light.environment = SSGI_GL_ENVIRONMENT_SH } },
     { "bounce", { .pass = SSGI_GL_PASS_SSDO, .light.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } },
     { "transfer, packed",
-      { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed = 1 } },
+      { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed_coefficients = 1 } },
     { "transfer, packed, dimmed",
-      { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed = 1, .light.dimmed = 1 } },
+      { .pass = SSGI_GL_PASS_S3HO, .light.transfer = SSGI_GL_TRANSFER_BOTH, .light.packed_coefficients = 1, .light.occluded_emitters = 1 } },
     { "shaded", { .pass = SSGI_GL_PASS_S3HO, .light.shaded = 1 } },
     { "maps", { .pass = SSGI_GL_PASS_LIGHTS, .light.shadow = SSGI_GL_SHADOW_FILL } },
-    { "packed, lights", { .pass = SSGI_GL_PASS_SHADE, .light.packed = 1, .light.lights = 1 } },
+    { "packed, lights", { .pass = SSGI_GL_PASS_SHADE, .light.packed_coefficients = 1, .light.harmonic_lights = 1 } },
     { "bent cone", { .pass = SSGI_GL_PASS_SHADE, .light.shading = SSGI_GL_SHADING_BENT_CONE } },
-    { "objects", { .pass = SSGI_GL_PASS_FIELD, .input.objects = SSGI_GL_OBJECTS_TEXTURE } },
-    { "cap table", { .pass = SSGI_GL_PASS_FIELD, .input.cap_table = 1 } },
+    { "objects", { .pass = SSGI_GL_PASS_AOF, .input.objects = SSGI_GL_OBJECTS_TEXTURE } },
+    { "cap table", { .pass = SSGI_GL_PASS_AOF, .input.cap_table = 1 } },
     { "from triangles",
-      { .pass = SSGI_GL_PASS_SURFELS, .text.dialect = SSGI_GL_DIALECT_410, .surfel.tessellate = 1 } },
+      { .pass = SSGI_GL_PASS_SURFELS, .shader.dialect = SSGI_GL_DIALECT_410, .surfel.tessellate = 1 } },
     { "lit", { .pass = SSGI_GL_PASS_SURFELS, .surfel.sends = SSGI_GL_SENDS_LIGHTS } },
-    { "light", { .pass = SSGI_GL_PASS_SPLAT, .surfel.effect = SSGI_GL_EFFECT_LIGHT } },
+    { "light", { .pass = SSGI_GL_PASS_DSS, .surfel.effect = SSGI_GL_EFFECT_LIGHT } },
     { "light", { .pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_LIGHT } },
     { "coefficients", { .pass = SSGI_GL_PASS_BLUR, .filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS } },
     { "light", { .pass = SSGI_GL_PASS_HISTORY, .filter.quantity = SSGI_GL_QUANTITY_LIGHT } },
@@ -96,10 +96,10 @@ ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
     if (c && choice_at(&changed, c)) memcpy((char *)&d + changed.offset, &changed.value, sizeof(int));
     if (d.input.depth == SSGI_GL_DEPTH_CUSTOM || d.input.normal == SSGI_GL_NORMAL_CUSTOM
         || d.input.objects == SSGI_GL_OBJECTS_CUSTOM || d.light.harmonics == SSGI_GL_HARMONICS_CUSTOM
-        || (d.surfel.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_PASS_SURFELS || d.pass == SSGI_GL_PASS_SPLAT))
+        || (d.surfel.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_PASS_SURFELS || d.pass == SSGI_GL_PASS_DSS))
         || (d.surfel.effect == SSGI_GL_EFFECT_CUSTOM
-            && (d.pass == SSGI_GL_PASS_SPLAT || d.pass == SSGI_GL_PASS_DEINTERLEAVE || d.pass == SSGI_GL_PASS_SMOOTH
+            && (d.pass == SSGI_GL_PASS_DSS || d.pass == SSGI_GL_PASS_DEINTERLEAVE || d.pass == SSGI_GL_PASS_SMOOTH
                 || d.pass == SSGI_GL_PASS_SUM)))
-        d.text.fetch = d.text.dialect == SSGI_GL_DIALECT_VULKAN ? custom_vulkan : custom;
+        d.shader.fetch = d.shader.dialect == SSGI_GL_DIALECT_VULKAN ? custom_vulkan : custom;
     return d;
 }

@@ -63,7 +63,7 @@ static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
     char *text = NULL;
     for (int turn = 0; turn < 2; ++turn) {      /* how long it is, then the text */
         *n = kind < SSGI_GL_STAGES            ? ssgi_gl_emit(text, text ? *n + 1 : 0, d, kind)
-             : d->pass == SSGI_GL_PASS_FIELD ? ssgi_gl_field(text, text ? *n + 1 : 0, d)
+             : d->pass == SSGI_GL_PASS_AOF ? ssgi_gl_field(text, text ? *n + 1 : 0, d)
                                               : ssgi_gl_read(text, text ? *n + 1 : 0, d);
         if (!turn) text = *n ? malloc(*n + 1) : NULL;
         if (!text) break;
@@ -76,8 +76,8 @@ static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
 static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const char *stem, const char *more,
                       const char **name)
 {
-    const int named = kind < SSGI_GL_STAGES || d->text.dialect == SSGI_GL_DIALECT_VULKAN;
-    uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(named ? d->text.dialect : 0)) * 8 + (uint64_t)kind;
+    const int named = kind < SSGI_GL_STAGES || d->shader.dialect == SSGI_GL_DIALECT_VULKAN;
+    uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(named ? d->shader.dialect : 0)) * 8 + (uint64_t)kind;
     size_t n;
     char path[1024], *text = text_of(d, kind, &n);
     int i = 0;
@@ -89,7 +89,7 @@ static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const
     if (text && i < files) { free(text); return 0; }
     seen[files++] = key;
     snprintf(file_name[i], sizeof file_name[i], "%s%s%s%s.%s", stem, named ? "." : "",
-             named ? ssgi_gl_dialect_name(d->text.dialect) : "", more, endings[kind]);
+             named ? ssgi_gl_dialect_name(d->shader.dialect) : "", more, endings[kind]);
     snprintf(path, sizeof path, "%s/%s", folder, file_name[i]);
     return write_file(path, text, n);
 }
@@ -207,7 +207,7 @@ static void add_tag(const char *word, const char *comment, const char *end, cons
 }
 
 /* Where the header's comment of a field begins, and at *end where it ends; NULL where the field has none. A field is
-   "gather.steps" or "text.version", or "gather" for the group itself. */
+   "gather.samples" or "shader.version", or "gather" for the group itself. */
 static const char *comment_of(const char *header, const char *field, const char **end)
 {
     const char *const dot = strchr(field, '.');
@@ -282,8 +282,8 @@ static int print_fields(const char *path, kit_error *err)
         }
         add_field(header, c->field, c);
     }
-    add_field(header, "text.version", NULL);
-    add_field(header, "text.fetch", NULL);
+    add_field(header, "shader.version", NULL);
+    add_field(header, "shader.fetch", NULL);
     free(header);
     return 0;
 }
@@ -321,7 +321,7 @@ static ssgi_gl_desc variant_of(int pass, int dialect, int a, int b)
     ssgi_gl_desc d;
     memset(&d, 0, sizeof d);
     d.pass = pass;
-    d.text.dialect = dialect;
+    d.shader.dialect = dialect;
     if (pass == SSGI_GL_PASS_SSDO) d.light.environment = SSGI_GL_ENVIRONMENT_MAP;
     return with_choice(with_choice(d, b), a);
 }

@@ -97,8 +97,8 @@ void manifest_variant(const ssgi_gl_desc *d, const char *const files[SSGI_GL_STA
     if (!f) abort();
     fputs("{ \"desc\": ", f);
     put_desc(f, d);
-    if (d->text.fetch) fetch[d->text.dialect == SSGI_GL_DIALECT_VULKAN] = d->text.fetch;
-    fprintf(f, ",%s \"key\": \"%.*s\", %s, \"rows\": %d }", d->text.fetch ? " \"fetch\": true," : "",
+    if (d->shader.fetch) fetch[d->shader.dialect == SSGI_GL_DIALECT_VULKAN] = d->shader.fetch;
+    fprintf(f, ",%s \"key\": \"%.*s\", %s, \"rows\": %d }", d->shader.fetch ? " \"fetch\": true," : "",
             (int)(strrchr(files[SSGI_GL_STAGE_FRAGMENT], '.') - files[SSGI_GL_STAGE_FRAGMENT]),
             files[SSGI_GL_STAGE_FRAGMENT], names, number_of(&lists, list, list));
     fclose(f);
@@ -215,12 +215,12 @@ void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *ch
     FILE *f = open_memstream(&line, &size);
     if (!f) abort();
     snprintf(key, sizeof key, "{ \"name\": \"%s\", \"dialect\": \"%s\",", name,
-             ssgi_gl_dialect_name(steps[0].desc.text.dialect));
+             ssgi_gl_dialect_name(steps[0].desc.shader.dialect));
     fprintf(f, "%s \"about\": ", key);
     kit_json_string(f, about);
     fputs(",\n\"chain\": { \"desc\": ", f);
     ssgi_gl_chain in = *chain;                              /* in that dialect */
-    in.desc.text.dialect = in.lights.text.dialect = steps[0].desc.text.dialect;
+    in.desc.shader.dialect = in.lights.shader.dialect = steps[0].desc.shader.dialect;
     put_desc(f, &in.desc);
     if (in.lights.pass == SSGI_GL_PASS_LIGHTS) {
         fputs(", \"lights\": ", f);
@@ -371,8 +371,8 @@ static void put_fields(FILE *f)
     fprintf(f,
             "\n],\n\"desc\": { \"size\": %zu, \"pointer\": %zu, \"strings\": [\n"
             "{ \"name\": \"version\", \"offset\": %zu }, { \"name\": \"fetch\", \"offset\": %zu }\n], \"fields\": [",
-            sizeof(ssgi_gl_desc), sizeof(char *), offsetof(ssgi_gl_desc, text.version),
-            offsetof(ssgi_gl_desc, text.fetch));
+            sizeof(ssgi_gl_desc), sizeof(char *), offsetof(ssgi_gl_desc, shader.version),
+            offsetof(ssgi_gl_desc, shader.fetch));
     for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) {
         fprintf(f, "%s\n{ \"name\": \"%s\", \"offset\": %zu, \"most\": %d, \"values\": [", i ? "," : "", c->name,
                 c->offset, c->most);

@@ -10,7 +10,7 @@ static const char *const usage[3] = {
     "usage: render MODEL | NAME | random:SEED | --gbuffer FRAME.exr   [options]\n"
     "  render model.glb --out ao.png\n"
     "  render room --truth 256 --out truth.exr\n"
-    "  render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20\n"
+    "  render room --method hsao --set samples=8,blur=1 --score truth.exr --time 20\n"
     "  render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png\n"
     "  render room --save-gbuffer frame.exr\n"
     "  render --gbuffer frame.exr --out ao.png\n"

@@ -3,7 +3,7 @@
 
       build/render model.glb --method hsao --radius 0.5 --out ao.exr
       build/render room --truth 256 --out truth.exr
-      build/render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20
+      build/render room --method hsao --set samples=8,blur=1 --score truth.exr --time 20
       build/render room --save-gbuffer frame.exr
       build/render --gbuffer frame.exr --out ao.png
       build/render --gbuffer others.exr --fovy 60 --radius 1 --out ao.png

@@ -4,7 +4,7 @@
 export type Stage = 'vert' | 'frag' | 'tesc' | 'tese' | 'geom';
 export type Preset = 'FAST' | 'BALANCED' | 'BEST';
 
-/** ssgi_gl_choice: a field of a desc, 0 .. most. field: in C, as "gather.steps" */
+/** ssgi_gl_choice: a field of a desc, 0 .. most. field: in C, as "gather.samples" */
 export interface Choice { name: string; field: string; offset: number; most: number; values: string[]; sentence: string; }
 
 /** ssgi_gl_io: what a program reads or writes */
@@ -102,7 +102,7 @@ export class Ssgi {
   readonly members: Row[];
   readonly passes: string[];
   readonly dialects: string[];
-  text(desc: Desc, stage?: Stage): string;
+  shader(desc: Desc, stage?: Stage): string;
   /** GLSL of functions that read the result of the step with this desc: ssgi_gl_read */
   read(desc: Desc): string;
   /** GLSL of ssgi_interreflected and ssgi_specular_visibility: ssgi_gl_reflection */

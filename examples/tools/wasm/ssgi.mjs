@@ -7,12 +7,12 @@
       const frame = ssgi.frame(view, 0.5, chain);            // frame.thickness_limit[0] = 0.2; ..
       gl.bufferSubData(gl.UNIFORM_BUFFER, 0, frame.buffer);  // the block "ssgi_frame"
       for (const step of ssgi.steps({ ...chain, width, height })) {           // what is drawn, in order
-          gl.shaderSource(shader, ssgi.text(step.desc, 'frag'));              // and 'vert'
+          gl.shaderSource(shader, ssgi.shader(step.desc, 'frag'));              // and 'vert'
           for (const row of ssgi.rows(step.desc)) ..         // { name: 't_ssgi_depth', kind: 'TEXTURE', slot: 0, .. }
       }
 
    A desc is a flat object of the fields of ssgi_gl_desc (ssgi_gl.h), by the names that ssgi.choices lists, which need
-   no group: steps is gather.steps. Enums go by their words: the C name less its prefix. A wrong argument throws an
+   no group: steps is gather.samples. Enums go by their words: the C name less its prefix. A wrong argument throws an
    Error of one sentence: the library's, or where the library cannot look (types, lengths, memory) one from here. */
 
 const stages = ['vert', 'frag', 'tesc', 'tese', 'geom'];
@@ -144,7 +144,7 @@ export class Ssgi {
     }
 
     /* The GLSL of a stage; '' where the pass has none. */
-    text(desc, stage = 'frag') {
+    shader(desc, stage = 'frag') {
         return this.#scope(() => {
             const d = this.#good(desc), s = word('stage', stage, stages);
             return this.#written((out, room) => this.#c.ssgi_gl_emit(out, room, d, s));

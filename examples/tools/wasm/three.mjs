@@ -6,7 +6,7 @@
 
    It draws the scene itself: first all that is opaque, with its depth; then occlusion, of ambient light alone; then
    over it all that is transparent, which neither occludes nor is dimmed. Passes of TAA come after it. Options besides
-   those of SSGIPass.set are the fields of a desc (ssgi.choices), such as pass, thickness, half, steps:
+   those of SSGIPass.set are the fields of a desc (ssgi.choices), such as pass, thickness, resolution, samples:
 
       { pass: 'HSAO', preset: 'FAST', history: true }         // ambient visibility
       { pass: 'SSDO' }                                        // the scene's ambient light, by its directions

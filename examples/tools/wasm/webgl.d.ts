@@ -35,7 +35,7 @@ export class Drawer {
   readonly language: 'GLSL';
   /** of the block "ssgi_frame" */
   binding: number;
-  text(desc: Desc, stage?: 'vert' | 'frag'): string;
+  shader(desc: Desc, stage?: 'vert' | 'frag'): string;
   texture(width: number, height: number, format: { internal: number }, slices?: number): WebGLTexture;
   floats(rgba: Float32Array, width: number, height: number, slices?: number, given?: WebGLTexture | null): WebGLTexture;
   copy(texture: WebGLTexture, format: Format, width: number, height: number): WebGLTexture;

@@ -36,7 +36,7 @@ export class Drawer {
         const program = gl.createProgram(), shaders = [];
         for (const [stage, kind] of [['vert', gl.VERTEX_SHADER], ['frag', gl.FRAGMENT_SHADER]]) {
             const shader = gl.createShader(kind);
-            gl.shaderSource(shader, this.#ssgi.text(desc, stage));
+            gl.shaderSource(shader, this.#ssgi.shader(desc, stage));
             gl.compileShader(shader);
             gl.attachShader(program, shader);
             shaders.push(shader);
@@ -122,7 +122,7 @@ export class Drawer {
         return bytes ? Float32Array.from(all, v => v / 255) : all;
     }
     free(texture) { this.#gl.deleteTexture(texture); }
-    text(desc, stage) { return this.#ssgi.text(desc, stage); }
+    shader(desc, stage) { return this.#ssgi.shader(desc, stage); }
 
     run(chain) { return new Run(this.#gl, this.#ssgi, this, chain); }
 

@@ -11,7 +11,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { chainAs } from '../chain.mjs';
-import { defaults, halves, methods, normals, presets, shadows, thicknesses } from '../settings.mjs';
+import { defaults, resolutions, methods, normals, presets, shadows, thicknesses } from '../settings.mjs';
 import { textOf } from '../show-texts.mjs';
 import { bare, keyOf } from '../webgpu-keys.mjs';
 
@@ -23,7 +23,7 @@ const translate = join(dirname(fileURLToPath(import.meta.url)), '../../tools/gls
 const every = {
     name: Object.keys(methods).filter(name => methods[name].method && !methods[name].module),
     preset: Object.keys(presets),
-    thickness: Object.keys(thicknesses), normals: Object.keys(normals), half: Object.keys(halves),
+    thickness: Object.keys(thicknesses), normals: Object.keys(normals), resolution: Object.keys(resolutions),
     filter: [-1, 0, 1, 2, 3, 4],
     history: [false, true], moves: [false, true], bounce: [false, true], sun: [false, true], precise: [0, 1]
 };
@@ -55,7 +55,7 @@ for (const { name, preset, precise, ...choice } of choices) {
         if (seen.has(key)) continue;
         seen.add(key);
         for (const stage of ['vert', 'frag']) {
-            const text = ssgi.text(desc, stage);
+            const text = ssgi.shader(desc, stage);
             add(keyOf(text), { text, stage });
         }
     }
