@@ -40,7 +40,7 @@
                    desc.filter.onto, depth and normals must not be attached beside the picture. In GLES and WebGL
                    floating-point targets need EXT_color_buffer_float or, if of 16 bits, EXT_color_buffer_half_float
       uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
-                   the text holds the slots of ssgi_gl_reflect's rows; in the others set them once by name
+                   the shader holds the slots of ssgi_gl_reflect's rows; in the others set them once by name
                    (glUniform1i, glUniformBlockBinding). Engines without blocks: desc.shader.uniforms. An engine that
                    caches GL's state must drop that cache after these draws
       projection   take the one that depth was drawn with: some engines (OpenSceneGraph) move its near and far planes,
@@ -119,11 +119,11 @@
 
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its row in >>passes, its
                 outputs in >>rows. An accumulator: a member of ssgi_sums, a line where taps are added to it, an output
-                row, its field in >>desc. An input: a row. A text reads the inputs that its functions name; no table
+                row, its field in >>desc. An input: a row. A shader reads the inputs that its functions name; no table
                 repeats them.
 
    OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect return all names, limits and offsets; the repository's
-                       make glsl writes them beside the texts (manifest.json), make wasm serves JavaScript. cffi takes
+                       make glsl writes them beside the shaders (manifest.json), make wasm serves JavaScript. cffi takes
                        the output of gcc -E -P '-D__attribute__(x)='; bindgen -- --target=x86_64-pc-windows-msvc
                        -ffreestanding gives constants the type of the fields. In Python, whose keyword pass is, write
                        setattr(desc, "pass", ..)
@@ -170,8 +170,8 @@ typedef enum ssgi_gl_pass {
     SSGI_GL_PASS_FORCE = SSGI_FORCE
 } ssgi_gl_pass;
 
-/* desc.shader.dialect: the language of the text.
-   VULKAN: text for SPIR-V, which other tools translate to HLSL, MSL and WGSL.
+/* desc.shader.dialect: the language of the shader.
+   VULKAN: GLSL for SPIR-V, which other tools translate to HLSL, MSL and WGSL.
      bindings    the uniform blocks ssgi_frame and ssgi_views are at bindings 0 and 1 of set desc.shader.block_set, the
                  texture of unit u is at 2 + u of set desc.shader.texture_set, by default both 0; with desc.shader.dense
                  bindings have no gaps (ssgi_gl_io.set, .binding; ssgi_gl_input.set, .binding). A texture is a sampled
@@ -180,7 +180,7 @@ typedef enum ssgi_gl_pass {
                  and other sets are yours. Depth is viewed by its depth aspect alone
      formats     ssgi_gl_format has Vulkan's and WebGPU's names
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
-                 (WGSL: overrides): other directions, steps and samples need no other text
+                 (WGSL: overrides): other slices, directions and samples need no other shader
      rows        viewport heights are positive. Give ssgi_view_from_projection SSGI_CLIP_ZERO and Vulkan's own matrix,
                  whose y points down: row 0 is at NDC y = -1. Where the scene has row 0 at 1 (drawn with a negative
                  height, or by D3D, Metal or WebGPU), negate the matrix's second row; in D3D, Metal and WebGPU also
@@ -204,13 +204,13 @@ typedef enum ssgi_gl_dialect {
     SSGI_GL_DIALECT_FORCE = SSGI_FORCE
 } ssgi_gl_dialect;
 
-/* desc.shader.uniforms: how a text declares the values of the frame.
+/* desc.shader.uniforms: how a shader declares the values of the frame.
      BLOCK    uniform blocks: ssgi_frame is ssgi_gl_frame byte for byte, ssgi_views is ssgi_gl_views
      LOOSE    a uniform of its own for each member that the stage reads, for engines that set uniforms by name and have
               no blocks: "uniform float u_ssgi_radius;". Before each step set those of ssgi_gl_reflect's rows of kind
               PARAM: a row's type has the size of an array ("vec4[12]"); its value lies at row.offset in the step's
               ssgi_gl_frame where row.slot is 0, in ssgi_gl_views where it is 1. There a mat3 has 3 columns of 4 floats,
-              all else is tight. Programs keep such values: steps of equal texts have one program, and may have other
+              all else is tight. Programs keep such values: steps of equal shaders have one program, and may have other
               frames (ssgi_gl_step.frame). Not in VULKAN */
 typedef enum ssgi_gl_uniforms {
     SSGI_GL_UNIFORMS_BLOCK = 0,
@@ -252,7 +252,7 @@ typedef enum ssgi_gl_normal {
 /* desc.gather.noise: the pattern that decorrelates neighbouring pixels. */
 typedef enum ssgi_gl_noise {
     SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise, which suits a filter of 3x3 */
-    SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions;
+    SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets samples, w in [0,1) turns directions;
                                    ssgi_noise_tile makes one */
     SSGI_GL_NOISE_FORCE = SSGI_FORCE
 } ssgi_gl_noise;
@@ -486,8 +486,8 @@ typedef enum ssgi_gl_resolution {
 } ssgi_gl_resolution;
 
 /* The groups of ssgi_gl_desc hold your choices when a program is built. Zero is the default everywhere; counts
-   become literal constants in the text, and a feature that is off leaves no text. A field's comment begins with the
-   passes that look at it, where its group does not tell; the other passes ignore the field, but it must be in its
+   become literal constants in the shader, and a feature that is off leaves nothing in it. A field's comment begins with
+   the passes that look at it, where its group does not tell; the other passes ignore the field, but it must be in its
    limits [0..1 where none is told]. ssgi_gl_check names a field that is not. Each field is four bytes long.
    Each group begins with the choices that are yours. "The papers' own" are for those who draw what a paper published:
    the defaults have a lower error or cost less. "Of the steps" are set by ssgi_gl_steps; set them yourself only where
@@ -559,7 +559,7 @@ typedef struct ssgi_gl_gather_desc {
     ssgi_gl_march_terms march_terms; /* hsao by march */
     int growing_sphere; /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the
                             ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
-    int kernel_texture; /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by noise */
+    int kernel_texture; /* points   0: one set in the shader, turned by noise; 1: sets in a texture, chosen by noise */
     int uniform_directions; /* points of gathers   1: directions are spread evenly, as published, and each is weighted
                                by 2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same,
                                which has a lower error */
@@ -665,7 +665,7 @@ typedef struct ssgi_gl_filter_desc {
     ssgi_gl_quantity quantity; /* blur alone filters coefficients, as history averages the light of shade */
 } ssgi_gl_filter_desc;
 
-/* ---- desc.shader: the language of the text, and your own lines in it */
+/* ---- desc.shader: the language of the shader, and your own lines in it */
 typedef struct ssgi_gl_shader_desc {
     ssgi_gl_dialect dialect;
     ssgi_gl_uniforms uniforms;
@@ -675,7 +675,7 @@ typedef struct ssgi_gl_shader_desc {
     int dense;           /* VULKAN   1: bindings have no gaps, counted from 0 over all stages of the pass: the blocks
                             that it reads, then its textures in the order of ssgi_gl_step.input; textures in a set of
                             their own begin at 0. 0: a name has the same binding in every variant of a pass */
-    int lines;           /* 1: the text has #line directives, so that a compiler's "0:N" is line N of this header */
+    int lines;           /* 1: the shader has #line directives, so that a compiler's "0:N" is line N of this header */
     const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
 } ssgi_gl_shader_desc;
@@ -723,11 +723,11 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
    desc->pass with desc->gather.search, and in its filter, so that the same desc serves blur: resolution, slices or
    directions, samples, normal_rays and noise of desc->gather, kind and radius of desc->filter; range_check and fade of
    points; for ssdo with an environment light.restore RATIO, without which blur would smooth creases.
-     slices        hsao: FAST half size 1x10, BALANCED half 2x8, BEST full 2x7 (slices x steps); ssdo, s3ho: half 1x5,
+     slices        hsao: FAST half size 1x10, BALANCED half 2x8, BEST full 2x7 (slices x samples); ssdo, s3ho: half 1x5,
                    half 2x9, full 2x9. thickness: of hsao FAST is CONSTANT, which saves a pass, all others are DEFAULT;
                    SOLID, WIDTH, BACK and SLABS stay
-     march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
-     points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
+     march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x samples)
+     points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x samples)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
      dss           quarter size, half, full; slices near by, with a span: 2x8, 2x8, 2x7. SPECULAR and SCATTER, which
                    have no slices, want BEST
@@ -746,7 +746,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* Returns desc with its pass's defaults in place, and with 0 in fields that the pass does not look at. Both descs have
-   the same text.
+   the same shader.
      desc   [limit: not NULL, one that ssgi_gl_check takes] */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
@@ -758,7 +758,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
    desc gives the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
-/* A number for caches of programs. It is equal when the choices that reach the text are equal (texts in
+/* A number for caches of programs. It is equal when the choices that reach the shader are equal (shaders in
    desc.shader.version and desc.shader.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
@@ -822,9 +822,9 @@ enum {
     SSGI_GL_IO_CAPTURE
 };
 
-/* One input or output of a pass: its declaration in the text is printed from this row. */
+/* One input or output of a pass: its declaration in the shader is printed from this row. */
 typedef struct ssgi_gl_io {
-    const char *name; /* exactly as in the text: "t_ssgi_depth" */
+    const char *name; /* exactly as in the shader: "t_ssgi_depth" */
     int kind;
     const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
     int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass. OUTPUT, ATTRIBUTE: location.
@@ -838,8 +838,8 @@ typedef struct ssgi_gl_io {
 
 #define SSGI_GL_MAX_IO 48
 
-/* Writes the rows of a pass in this variant, as the text has them, at most `capacity`; returns how many there are, or 0
-   for a bad desc. */
+/* Writes the rows of a pass in this variant, as the shader has them, at most `capacity`; returns how many there are, or
+   0 for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
 /* Row i of kind PARAM of any pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
@@ -922,7 +922,7 @@ typedef struct ssgi_gl_format {
 } ssgi_gl_format;
 
 typedef struct ssgi_gl_input {
-    const char *name, *type;      /* as in the text: "t_ssgi_depth", "sampler2D" */
+    const char *name, *type;      /* as in the shader: "t_ssgi_depth", "sampler2D" */
     int unit;                     /* the sampler's: ssgi_gl_io.slot */
     unsigned target;              /* GL_TEXTURE_2D .. */
     int set, binding;             /* VULKAN, WebGPU: those of a sampled image, by default's rule in other dialects */
@@ -947,7 +947,7 @@ enum {
 };
 
 typedef struct ssgi_gl_output {
-    const char *name;             /* as in the text: "o_ssgi_ao" */
+    const char *name;             /* as in the shader: "o_ssgi_ao" */
     int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format; /* NULL: your picture's */
     int slices, slice;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `slice` is drawn into */
@@ -964,7 +964,7 @@ enum {
     SSGI_GL_SIZE_QUARTER /* a quarter of the image, rounded up */
 };
 
-/* One draw. ssgi_gl_emit of desc writes the text of each stage. */
+/* One draw. ssgi_gl_emit of desc writes the shader of each stage. */
 typedef struct ssgi_gl_step {
     ssgi_gl_desc desc;
 
@@ -999,10 +999,10 @@ typedef struct ssgi_gl_step {
    why says the reason. With desc.filter.onto the last step draws onto your picture.
 
    Clear the steps' textures to 0 when you make them. Where the picture's size changes, ask for the steps again; the
-   texts stay, since none depends on the size. Textures of the greatest size stay, too, and the picture takes a part of
-   them, from frame.target on. Otherwise make them anew, of the size that the steps now say; but one that is read as the
-   last frame left it (input.last) is read once more, at its own size. So of such a pair make the one that this frame
-   writes anew first, and the other a frame later. */
+   shaders stay, since none depends on the size. Textures of the greatest size stay, too, and the picture takes a part
+   of them, from frame.target on. Otherwise make them anew, of the size that the steps now say; but one that is read as
+   the last frame left it (input.last) is read once more, at its own size. So of such a pair make the one that this
+   frame writes anew first, and the other a frame later. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
 /* A method: what README, tools and pages call by a name. */
@@ -1160,7 +1160,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, floa
    QUARTER_IN_TURN). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets the members that surfels are made with, except desc->overhang, which the text has: ssgi_gl_desc.surfel.overhang.
+/* Sets the members that surfels are made with, except desc->overhang, which the shader has:
+   ssgi_gl_desc.surfel.overhang.
    Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
      mesh_to_view   as source.to_view; NULL: frame->mesh stays as it is */
@@ -1281,7 +1282,7 @@ extern "C" {
    main_*), and if the condition `when` holds (NULL: always): entries of one name are alternatives, and exclude each
    other. Conditions, of #if and #elif lines, too, are GLSL's. They name fields of the desc as macros, SSGI_THICKNESS
    for desc.gather.thickness, and their values, SSGI_THICKNESS_SLABS for SSGI_GL_THICKNESS_SLABS. The emitter resolves
-   these lines, and none reaches the text. Your textures are fetched at ", pixel + u_ssgi_origin, 0": where they are
+   these lines, and none reaches the shader. Your textures are fetched at ", pixel + u_ssgi_origin, 0": where they are
    arrays (desc.input.array) the emitter puts the slice in. make glsl-out DIR=d writes the library as files that
    editors read. */
 typedef struct ssgi_gl__code {
@@ -1843,7 +1844,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
    run reaches half the radius, or SSGI_LONGEST where that is more. If a probe finds its end, the surface ended between
    that probe and the last one, which stood half as far: the half counts, so that thin things are not taken for too
-   thick, and more steps do not darken the surfaces behind them. A run that finds no end counts as a radius. The other
+   thick, and more samples do not darken the surfaces behind them. A run that finds no end counts as a radius. The other
    three pixels share the width if they lie in the first one's plane, and have SSGI_OTHER if they do not. */
 
 { "SSGI_THINNEST", NULL, __LINE__ + 1,
@@ -3399,7 +3400,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The bound is a share of the distance. A packed normal is rounded, and without this bound a receiver in an emitter's
    own plane is lit by that rounding: single bright pixels appeared at thin walls. The bounce of ssdo with slabs, by one
-   slice of 16 steps, errs by .5586 of .01, by .5552 of .03, by .5640 of .1, on 28 scenes by seed at 1280x720. */
+   slice of 16 samples, has an error of .5586 by .01, .5552 by .03, .5640 by .1, on 28 scenes by seed at 1280x720. */
 { "SSGI_EDGE_ON", NULL, __LINE__ + 1,
     "const float SSGI_EDGE_ON = 0.03; // an emitter whose plane passes a receiver this closely sends it nothing\n" },
 
@@ -3687,7 +3688,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walked", NULL, __LINE__ + 1,
-    "struct ssgi_walked { // the state of a side after some steps\n"
+    "struct ssgi_walked { // the state of a side after some samples\n"
     "    uint left; // a bit for each sector that is free\n"
     "    float distance; // distance of the last tap, in radii\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
@@ -3919,19 +3920,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Steps miss occluders: SSGI_MISSED.x / steps - SSGI_MISSED.y of the free sectors count as occluded for each occluded
-   one. Taps see no occluders beyond the picture: SSGI_BEYOND.x of the free sectors count as occluded for each occluded
-   one, SSGI_BEYOND.y at most, times the square of the share of the way beyond. The four numbers are fitted to the
-   truth of 28 scenes by seed at 1280x720 and were judged on 28 others: the change that brought them took the error
-   of hsao on all 56 from .406 to .396. */
+/* Samples miss occluders: SSGI_MISSED.x / samples - SSGI_MISSED.y of the free sectors count as occluded for each
+   occluded one. Taps see no occluders beyond the picture: SSGI_BEYOND.x of the free sectors count as occluded for each
+   occluded one, SSGI_BEYOND.y at most, times the square of the share of the way beyond. The four numbers are fitted to
+   the truth of 28 scenes by seed at 1280x720 and were judged on 28 others: the change that brought them took the
+   error of hsao on all 56 from .406 to .396. */
 { "SSGI_MISSED", NULL, __LINE__ + 1,
-    "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // With 34 steps none is missed.\n" },
+    "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // With 34 samples none is missed.\n" },
 
 { "SSGI_BEYOND", NULL, __LINE__ + 1,
     "const vec2 SSGI_BEYOND = vec2(0.05, 0.4); // occluded shares beyond the picture: per found one; the most\n" },
 
-/* Leaving the directions that steps miss open would err more. Where no sector is occluded nothing is expected, so that
-   planes stay open. Expected occluders send light as the found ones do. */
+/* To leave directions that samples miss open has a larger error. Where no sector is occluded nothing is expected, so
+   that planes stay open. Expected occluders send light as the found ones do. */
 { "ssgi_expect", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
     "// Adds occlusion that a side missed.\n"
     "void ssgi_expect(inout ssgi_sums sums, ssgi_side side, inout ssgi_walked walked) {\n"
@@ -6531,7 +6532,7 @@ typedef struct ssgi_gl__preset {
 /* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.gather.search,
    then the slices of SSGI_GL__PRESET_LIT. Errors are means of 14 scenes by seed at 1280x720, over that of no AO; times
    are those of make cost's model of a Radeon RX 6800 at 1920x1080. A filter of radius 2 takes the noise of hsao to a
-   half at the same error, and two more steps take the error from .417 to .402, on each scene. With radius 1 these steps
+   half at the same error, and two more samples take the error from .417 to .402, on each scene. With radius 1 these
    have .403 for .03 ms less, and two thirds more noise in the two finest bands. At full size radius 2 gains .0007; of
    ssdo it gains .006 for a quarter more time. */
 /* clang-format off */
@@ -7041,7 +7042,7 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
     return word;
 }
 
-/* Returns the id by which a count may be specialised; 0: the text depends on it otherwise, as on the samples of a
+/* Returns the id by which a count may be specialised; 0: the shader depends on it otherwise, as on the samples of a
    table. */
 static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
 {
@@ -7052,8 +7053,8 @@ static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
     return 0;
 }
 
-/* Gives a texture or a member of a block the place that the text has in VULKAN. block: the bindings of the blocks that
-   rows before it are of, -1: none yet; count: how many blocks and textures there are before it. */
+/* Gives a texture or a member of a block the place that the shader has in VULKAN. block: the bindings of the blocks
+   that rows before it are of, -1: none yet; count: how many blocks and textures there are before it. */
 static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int block[2], int count[2])
 {
     if (text->dialect != SSGI_GL_DIALECT_VULKAN) return;
@@ -8681,7 +8682,7 @@ static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
     return sun ? facing : facing / (d > least ? d : least);
 }
 
-/* Returns the largest component of the radiance that a surfel sends; 0 where it is 1e-30 or less, as texts divide by
+/* Returns the largest component of the radiance that a surfel sends; 0 where it is 1e-30 or less, as shaders divide by
    frame.sent. */
 static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights, int light_count, const float *sky)
 {
