@@ -187,7 +187,8 @@ int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, flo
 {
     char all[300];
     snprintf(all, sizeof all, "%s%s%s%s",
-             strstr(method, "-points") ? "blur=0,directions=33,samples=1,range_check=0,fade=none" : "blur=0,resolution=full,samples=33",
+             strstr(method, "-points") ? "blur=0,directions=33,samples=1,range_check=0,fade=none"
+                 : "blur=0,resolution=full,samples=33",
              strncmp(method, "s3ho", 4) && strncmp(method, "ssdo", 4) ? "" : ",residual=0", *set ? "," : "", set);
     return open_run(run, g, method, all, radius, scene, lighting);
 }

@@ -66,7 +66,8 @@ static void restored(const ssgi_gl_step *step, int i)
             MUST(!blur.light.restore
                  || (map == (wrote.light.environment == SSGI_GL_ENVIRONMENT_MAP)
                      && blur.light.shading == wrote.light.shading && blur.light.residual == wrote.light.residual
-                     && blur.light.harmonic_lights == wrote.light.harmonic_lights && (map || blur.light.bands == wrote.light.bands)));
+                     && blur.light.harmonic_lights == wrote.light.harmonic_lights
+                     && (map || blur.light.bands == wrote.light.bands)));
             return;
         }
 }

@@ -560,7 +560,8 @@ static void compare(int ridges)
         { { points, points }, "restore=none," set ",filtered=", { "light", "coefficients" }, seen, UNDER_SKY, WORST, \
           0, most }
         ORDER("store=float,indirect=none,blur=2", light_of, 1e-5),
-        ORDER("store=float,indirect=none,blur=1,resolution=half", light_of, 1e-4), /* far off the plane weights are not 0 */
+        /* far off the plane weights are not 0 */
+        ORDER("store=float,indirect=none,blur=1,resolution=half", light_of, 1e-4),
         ORDER("store=float,indirect=none,blur=3,filter=gaussian", light_of, 1e-5),
         ORDER("store=float,indirect=none,blur=1,filter_normals=1", light_of, 1e-5),
         ORDER("store=packed,indirect=joint,blur=1", light_of, 2e-3),
@@ -573,15 +574,18 @@ static void compare(int ridges)
         STORES("indirect=none,bands=3", "float", "packed", 5e-4),
         STORES("indirect=apart,bands=2", "half", "packed", 1.5e-3),
         STORES("indirect=apart,bands=1", "float", "half", 8e-4),
-        { { "s3ho", "s3ho" }, "residual=1,bands=1,blur=1,resolution=half,indirect=", { "joint", "apart" }, bounce, BY_LAMP,
+        { { "s3ho", "s3ho" }, "residual=1,bands=1,blur=1,resolution=half,indirect=", { "joint", "apart" }, bounce,
+          BY_LAMP,
           MEANS, 0, 0.05 },
 #define RESTORES(stage, how) \
-        { { "s3ho", "s3ho" }, "residual=1,blur=1,resolution=half,indirect=apart,restore=", { "none", how }, bounce, stage, \
+        { { "s3ho", "s3ho" }, "residual=1,blur=1,resolution=half,indirect=apart,restore=", { "none", how }, bounce, \
+          stage, \
           RMSE, 0, 1e-3 }
         RESTORES(BY_LAMP, "ratio"), RESTORES(AMONG_COLUMNS, "difference"),
         { { "hsao", "hsao" }, "left_handed=", { "0", "1" }, "Y", UNDER_SKY, WORST, 0, 0 },
 #define CREASE(method, set, half, stage, least, most) \
-        { { method, method }, set, { ",blur=1,samples=4,resolution=" half, ",blur=0,resolution=full,restore=none" }, light_of, stage, \
+        { { method, method }, set, { ",blur=1,samples=4,resolution=" half, ",blur=0,resolution=full,restore=none" }, \
+          light_of, stage, \
           RMSE, least, most }
         CREASE("ssdo", "bounce=none", "1", RIDGE, 0, 0.003),
         CREASE("ssdo", "bounce=none,environment=sh", "1", RIDGE, 0, 0.003),
@@ -735,7 +739,8 @@ static void bent_normals_bend(void)
         wall_vector(v, &walls[m], plane[0], along);
         if (!slab(&g, walls[m].c, 9, 0, 1)
             || !begin(&run, &g, "ssbn-points",
-                      "filtered=coefficients,store=float,thickness=solid,noise=texture,blur=4,directions=64", 1, NULL, &l)
+                      "filtered=coefficients,store=float,thickness=solid,noise=texture,blur=4,directions=64", 1,
+                      NULL, &l)
             || !strip_mean(light, &run, &g, row_at(walls[m].c), 4, 2, 1) || !show_bent(&run)
             || !strip(texel, &run, row_at(walls[m].c), 2, 1))
             return;

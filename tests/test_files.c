@@ -427,7 +427,8 @@ static void figures(void)
 #define OTHER "\n## Where methods fail\n\nold sweeps, to the byte\n"
 #define RECORD(name, entries) "ssgi_record({\"name\":\"" name "\",\"kind\":\"full\",\"command\":\"make " name "\",\"" \
     "commit\":\"c0\",\"cores\":2,\"processor\":\"p\",\"driver\":\"d\",\"entries\":[" entries "null]})\n"
-#define ROW(seed, kind, share) #seed ",judged," kind ",visibility,\\\"hsao, half size\\\",hsao,samples=6," #share ",0\\n"
+#define ROW(seed, kind, share) \
+    #seed ",judged," kind ",visibility,\\\"hsao, half size\\\",hsao,samples=6," #share ",0\\n"
     static const char old[] = "# Figures\nan old head\n" OTHER "\n## The papers' own tables and figures\n\nold\n",
         papers[] = RECORD("papers", "{\"level\":3,\"heading\":\"Table 1: times\"},{\"table\":\"paper\",\"csv\":\"paper,"
                           "figure,row,kind,head,text\\nA01,Table 1,0,claim,agrees,faster\\n"

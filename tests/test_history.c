@@ -461,7 +461,8 @@ static void last_frames(void)
     other.shift[0] = 0.3f;
     kit_camera_matrices(&c, now, projection);
     if (!view_of(&view, &c, 0)) return;
-    CHECK(ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK && !(frame.history_frames > 0), "the first has a last one");
+    CHECK(ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK && !(frame.history_frames > 0),
+        "the first has a last one");
     for (int k = 0; k < ROWS(sizes); ++k) {
         other.width = sizes[k].width;
         other.height = sizes[k].height;
@@ -509,7 +510,8 @@ static void last_frames(void)
                   && !strncmp(why, named[i], strlen(named[i])),
               "a bad time: %s", why);
     CHECK(!memcmp(&frame, &was, sizeof frame), "what is refused changes the frame");
-    CHECK(ssgi_gl_frame_time(&frame, 1e-30f, 1e18f, 1e-30f, &why) == SSGI_OK && frame.pace > 0 && frame.history_frames >= 1,
+    CHECK(ssgi_gl_frame_time(&frame, 1e-30f, 1e18f, 1e-30f, &why) == SSGI_OK && frame.pace > 0
+        && frame.history_frames >= 1,
           "a frame that took for ever: pace %g", (double)frame.pace);
 }
 

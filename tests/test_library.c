@@ -110,8 +110,8 @@ static int code_named(const char *name, size_t n, int before)      /* the last o
     return -1;
 }
 
-/* Marks what is named; every name must be an entry before this one, a row, a function of desc.shader.fetch, or a varying
-   that this one declares. */
+/* Marks what is named; every name must be an entry before this one, a row, a function of desc.shader.fetch, or a
+   varying that this one declares. */
 static void names(void)
 {
     static char reached[CODES], named[ROWS];

@@ -213,7 +213,8 @@ static int drawn_aof(kit_image *out, kit_gbuffer *g, const kit_scene *scene, con
     const kit_world world = { scene, NULL };
     kit_method m;
     kit_run run;
-    int ok = TRY(kit_method_find(&m, "aof", &err)) && TRY(kit_method_set(&m, "field_resolution=8,radii=8,rays=64", &err))
+    int ok = TRY(kit_method_find(&m, "aof", &err))
+             && TRY(kit_method_set(&m, "field_resolution=8,radii=8,rays=64", &err))
              && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(&run, g, &m, 1, &world, &err));
     if (!ok) return 0;
     kit_run_draw(&run, 0);

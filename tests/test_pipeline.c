@@ -23,7 +23,8 @@ static const struct {
                 { "ssao", "directions=33,normal=depth,thickness=solid" },
                 { "hsao", "samples=33,normal=depth,thickness=constant" },
                 { "ssdo", "slices=1,samples=33,bounce=none,environment=sh,resolution=full,blur=0" },
-                { "s3ho", "slices=1,samples=33,indirect=none,store=float,filtered=coefficients,resolution=full,blur=0" } };
+                { "s3ho",
+                  "slices=1,samples=33,indirect=none,store=float,filtered=coefficients,resolution=full,blur=0" } };
 enum { METHODS = ROWS(methods), LIT = METHODS - 2 };
 
 /* Turns a run to another G-buffer, whatever its size, at the defaults, in uniform light: compiling is what takes
@@ -98,7 +99,8 @@ static void corner_converges(void)
         kit_run run;
         char set[112];
         const int steps = row[m].steps, hard = row[m].hard;
-        snprintf(set, sizeof set, "directions=32,normal_rays=0,blur=0,noise=texture,samples=%d,falloff=%s,growing_sphere=%d",
+        snprintf(set, sizeof set,
+            "directions=32,normal_rays=0,blur=0,noise=texture,samples=%d,falloff=%s,growing_sphere=%d",
                  steps, hard ? "none" : "linear", row[m].spheres);
         if (!open_run(&run, &g[0], "hsao-march", set, 1, NULL, NULL)) return;
         glBindTexture(GL_TEXTURE_2D, run.noise);           /* steps not jittered, 16 * 32 directions */

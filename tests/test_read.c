@@ -173,7 +173,8 @@ static double depth_at(const ssgi_gl_frame *f, int orthographic, const float pla
 static GLuint result_of(const ssgi_gl_frame *f, const ssgi_gl_desc *d, const float of_card[4], double eye)
 {
     static float texel[4 * SIDE * SIDE];
-    const int part = d->gather.resolution == SSGI_GL_RESOLUTION_QUARTER ? 4 : d->gather.resolution ? 2 : 1, side = SIDE / part,
+    const int part = d->gather.resolution == SSGI_GL_RESOLUTION_QUARTER ? 4 : d->gather.resolution ? 2 : 1,
+        side = SIDE / part,
               kept = d->pass == SSGI_GL_PASS_HISTORY, channels = kept ? 4 : 2;
     for (int i = 0; i < side * side; ++i) {
         const double x = part * (i % side) + 0.5, y = part * (i / side) + 0.5;
@@ -312,7 +313,8 @@ static void edges_and_panes(void)
         double got[ROWS(away)], worst = 0, plain = 0, lies = 0;
         if (!frame_of(&f, d->input.orthographic, results[r].eye)) return;
         GLuint result[2] = { result_of(&f, d, planes[1], eye), result_of(&f, d, steep, eye) }, block = block_of(&f);
-        snprintf(name, sizeof name, "%s, half %d, orthographic %d, eye %g", ssgi_gl_pass_name(d->pass), d->gather.resolution,
+        snprintf(name, sizeof name, "%s, half %d, orthographic %d, eye %g", ssgi_gl_pass_name(d->pass),
+            d->gather.resolution,
                  d->input.orthographic, eye);
         if (glTexImage2DMultisample) {
             if (!edges(read, d, result[0], eye, 1) || !edges(want, d, result[0], eye, 0)) return;
@@ -333,7 +335,8 @@ static void edges_and_panes(void)
         }
         /* From full size a texel of another surface has no weight at all. */
         SHOW(lies < 1e-3
-                 && (d->gather.resolution ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65 && got[3] < 0.9
+                 && (d->gather.resolution ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65
+                     && got[3] < 0.9
                                     : got[1] > 0.999 && got[2] > 0.999 && got[3] > 0.999 && got[3] < 1.0001),
              "%s: %.4f beside it; %.3f %.3f %.3f %.3f before it", name, lies, got[0], got[1], got[2], got[3]);
         glDeleteFramebuffers(1, &framebuffer);

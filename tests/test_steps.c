@@ -312,7 +312,8 @@ static void names_of_methods(void)
 {
     static const struct { const char *name, *same, *why; } names[] = {
         { "HSAO-Best", "hsao_best", NULL }, { "hsao,best", "hsao-best", NULL },
-        { "hsao-best,fast", "hsao-fast", NULL }, { "hsao,resolution=quarter-in-turn", "hsao,resolution=quarter_in_turn", NULL },
+        { "hsao-best,fast", "hsao-fast", NULL },
+        { "hsao,resolution=quarter-in-turn", "hsao,resolution=4", NULL },
         { "hsao,", "hsao", NULL }, { "hsao-history", "hsao,history=1,slices=1,samples=12,filter_radius=1", NULL },
         { "hsao-fast,thickness=CONSTANT", "hsao-fast", NULL },
         { "gtao", NULL, "name: there is no such method; the nearest are hsao, hsao-fast" },
@@ -324,7 +325,8 @@ static void names_of_methods(void)
         { "hsao,histori=1", NULL, "name: there is no such field; the nearest is history" },
         { "hsao,lights.shadw=1", NULL, "name: there is no such field; the nearest is shadow" },
         { "hsao,samples=65", NULL, "desc.gather.samples: must be 0..64" },
-        { "hsao,samples=", NULL, "desc.gather.samples: must" }, { "hsao,samples=-1", NULL, "desc.gather.samples: must" },
+        { "hsao,samples=", NULL, "desc.gather.samples: must" },
+        { "hsao,samples=-1", NULL, "desc.gather.samples: must" },
         { "hsao,samples=4294967297", NULL, "desc.gather.samples: must" },
         { "hsao,depth=near", NULL, "desc.input.depth: must be SSGI_GL_DEPTH_" },
         { "hsao,blur=2", NULL, "chain.blur: must" }, { "hsao,search=points", NULL, "desc.gather.search: hsao is" },
@@ -507,9 +509,12 @@ static void refusals(void)
         { "chain.desc.light.shading", "pass=S3HO,shading=BENT,blur=1,history=1" },
         { "chain.desc.light.shading", "pass=S3HO,shading=BENT,onto=MULTIPLY" },
         { "chain.desc.light.shading", "pass=S3HO,shading=BENT,lights" },
-        { "chain.desc.light.occluded_emitters", "pass=S3HO,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,coefficients=1" },
-        { "chain.desc.light.occluded_emitters", "pass=S3HO,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,blur=1" },
-        { "chain.desc.light.occluded_emitters", "pass=S3HO,packed_coefficients=1,transfer=REFLECTED,occluded_emitters=1,blur=1,coefficients=1" },
+        { "chain.desc.light.occluded_emitters",
+          "pass=S3HO,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,coefficients=1" },
+        { "chain.desc.light.occluded_emitters",
+          "pass=S3HO,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,blur=1" },
+        { "chain.desc.light.occluded_emitters",
+          "pass=S3HO,packed_coefficients=1,transfer=REFLECTED,occluded_emitters=1,blur=1,coefficients=1" },
         { "desc.gather.samples", "pass=HSAO,samples=65" },
         { "desc.light.packed_coefficients", "pass=S3HO,transfer=BOTH" }
     };
@@ -752,7 +757,8 @@ static void formats(void)
 {
     static const char *const chains[] = {
         "pass=SSAO,blur=1", "pass=HSAO,resolution=half,blur=1", "pass=AOF", "pass=SSDO,environment=MAP,bounce=1,blur=1",
-        "pass=S3HO,bands=1,blur=1", "pass=S3HO,packed_coefficients=1,bands=3,blur=1,dialect=VULKAN,dense=1,texture_set=1",
+        "pass=S3HO,bands=1,blur=1",
+        "pass=S3HO,packed_coefficients=1,bands=3,blur=1,dialect=VULKAN,dense=1,texture_set=1",
         "pass=DSS,blur=1", "pass=DSS,effect=LIGHT,environment=MAP,blur=1" };
     for (int i = 0; i < (int)(sizeof chains / sizeof *chains); ++i) {
         ssgi_gl_step step[STEPS];

@@ -133,7 +133,8 @@ export function calls({ load, Ssgi }, ssgi) {
     const map = { view, worldToView: identity, worldToLight: identity };
     const refused = [
         ['desc', object, v => ssgi.shader(v)], ['desc', object, v => ssgi.check(v)], ['desc', object, v => ssgi.key(v)],
-        ['desc.gather.samples', [...whole, Infinity, null, [], Symbol('four')], samples => ssgi.shader({ ...hsao, samples })],
+        ['desc.gather.samples', [...whole, Infinity, null, [], Symbol('four')], 
+         samples => ssgi.shader({ ...hsao, samples })],
         ['desc.pass', ['constructor', 'toString', 99], pass => ssgi.shader({ pass })],
         ['desc.version', [5, 'a\0b'], version => ssgi.shader({ ...hsao, version })],
         ['stage', ['constructor', 'FRAG', 7], v => ssgi.shader(hsao, v)],

@@ -365,9 +365,9 @@ await quietly('the field of a model of one\'s own is build/render\'s, on its gro
     writeFileSync(`${out}/ground.obj`, [`o wedge\n${wedge(1)}o ground`,
         ...corners.map(i => `v ${position.slice(3 * i, 3 * i + 3).join(' ')}`),
         ...corners.filter(i => i % 3 === 0).map(i => `f ${[5, 6, 7].map(k => k + i).join(' ')}`), ''].join('\n'));
-    const { rmse } = await apart([`${out}/ground.obj`, '--method', 'aof', '--set', 'field_resolution=8,rays=64', '--size',
-                                  '320x180', '--camera', [...eye, ...target].join(), '--fovy', `${fov}`,
-                                  '--near', `${near}`, '--far', `${far}`]);
+    const { rmse } = await apart([`${out}/ground.obj`,
+        '--method', 'aof', '--set', 'field_resolution=8,rays=64', '--size', '320x180',
+        '--camera', [...eye, ...target].join(), '--fovy', `${fov}`, '--near', `${near}`, '--far', `${far}`]);
     const least = await page.evaluate(() => page.result(0).pixels.reduce((a, b) => Math.min(a, b), 1));
     note(`RMSE ${rmse.toFixed(4)}, darkest ${least.toFixed(2)}`);
     check(least < 0.8 && rmse <= 0.005, `RMSE ${rmse}, darkest ${least}`);
@@ -542,7 +542,8 @@ await quietly('the error is readable: a map, its worst, the pointer\'s pixel, a 
 await run('the C lines compile, and make the chain that is drawn', async () => {
     const page = await open('size=160x90&history=0');
     for (const hash of ['a=hsao', 'a=hsao&history=1&slices=3&samples=7&resolution=FULL&filter=2&thickness=SLABS',
-                        'a=ssao&p=BEST', 'a=ssdo&bounce=1&history=1', 'a=march&filter=0&resolution=FULL', 'a=s3ho&history=1',
+                        'a=ssao&p=BEST', 'a=ssdo&bounce=1&history=1', 'a=march&filter=0&resolution=FULL',
+                        'a=s3ho&history=1',
                         'a=points&thickness=BACK&normals=FROM_DEPTH', 'a=dss&levels=3', 'a=aof&p=FAST&reach=0.5',
                         'a=ssdo&shadow=FILL']) {
         await page.evaluate(h => page.go(h), `size=160x90&history=0&b=off&${hash}`);

@@ -263,7 +263,8 @@ typedef struct kit_settings {
     /* as spherical harmonics, or bent normals */
     int    bands, store, indirect, occluded_emitters, filtered, residual, window, lights, cone;
     /* fields */
-    int    field_resolution, radii, rays, unfiltered, own, occluders, cap_table; /* cap_table: its side; 0: closed form */
+    int    field_resolution, radii, rays, unfiltered, own, occluders;
+    int    cap_table;                      /* its side; 0: closed form */
     double reach, ramp, inside, power;     /* bounding spheres' radii; of the reach; below 0: as measured; exponent */
     /* surfels */
     int    levels, way, near_samples, span, sky, near_depth, keep_small, splits, smooth, material;

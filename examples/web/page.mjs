@@ -1,6 +1,7 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in webgl.mjs. */
 import { load } from './ssgi.mjs';
-import { defaults, resolutions, lookOf, methods, namedChain, normals, presets, read, sentenceOf, settings, shadows, shows,
+import { defaults, resolutions, lookOf, methods, namedChain, normals, presets, read, sentenceOf, settings, shadows,
+         shows,
          sizes, thicknesses, views, write } from './settings.mjs';
 import { chainAs, countOf, lightsOf } from './chain.mjs';
 import { skies, equirect } from './sky.mjs';

@@ -14,7 +14,8 @@ export const methods = {
     march: { title: 'HSAO, march', method: 'hsao-march' },
     ssdo: { title: 'SSDO', method: 'ssdo', light: true },
     points: { title: 'SSDO, points', method: 'ssdo-points', light: true },
-    s3ho: { title: 'S3HO', method: 's3ho', settings: ',transfer=direct,packed_coefficients=0,restore=ratio', light: true },
+    s3ho: { title: 'S3HO', method: 's3ho', settings: ',transfer=direct,packed_coefficients=0,restore=ratio',
+        light: true },
     dss: { title: 'Deep screen space', method: 'dss', module: 'surfels',
            presets: { FAST: surfels, BALANCED: surfels, BEST: surfels } },
     aof: { title: 'Fields of objects', method: 'aof', settings: ',objects=texture', module: 'fields', presets: {

@@ -152,7 +152,8 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
     kit_run *run = m->run;
     const ssgi_splat splat = { .epsilon = run->frame.epsilon, .max_distance = s->desc.max_distance,
                                .levels = m->desc.surfel.levels, .near_depth = run->frame.near_depth,
-                               .part = m->desc.gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? 4 : m->desc.gather.resolution ? 2 : 1,
+                               .part = !m->desc.gather.resolution ? 1
+                                       : m->desc.gather.resolution < SSGI_GL_RESOLUTION_QUARTER ? 2 : 4,
                                .two_sided = m->desc.light.two_sided || scatter || custom };
     ssgi_surfel_cost cost;
     const char *why = "out of memory";

@@ -53,7 +53,8 @@ static int add_harmonic_light(kit_making *m)
     ssgi_gl_chain chain = kit_chain(m), bounce;
     chain.coefficients = m->set->filtered == KIT_FILTERED_COEFFICIENTS;
     chain.precise = store == KIT_STORE_FLOAT ? 2 : 1;
-    chain.desc.light.packed_coefficients = store == KIT_STORE_PACKED || joint;            /* alike, so that both are rounded alike */
+    /* Both are packed or neither is, so that both are rounded alike. */
+    chain.desc.light.packed_coefficients = store == KIT_STORE_PACKED || joint;
     chain.desc.light.shaded = !chain.coefficients && !chain.desc.light.shading && !chain.desc.light.harmonic_lights;
     bounce = chain;
     bounce.desc.light.packed_coefficients = 1;

@@ -76,18 +76,22 @@ OF(fade_row, fade, gather.fade, GATHER, 0, "weight of an occluder by the distanc
     "none: a far surface sends as if it were at the point, and a bounce may err more than none")
 ROW(lambda_row, lambda, "how fast that fade is, per radius: a larger one leaves less", NULL, 0, 0, 1000, FRAME,
     FRAMED(lambda))
-OF(range_row, range_check, gather.range_check, GATHER, 0, "1: ignore surfaces beyond the radius or below the receiver's plane")
+OF(range_row, range_check, gather.range_check, GATHER, 0,
+    "1: ignore surfaces beyond the radius or below the receiver's plane")
 ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0, 0, 1, SCALED, FRAMED(fade))
 ROW(sets_row, sets, "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, PLAN, 0)
-OF(uniform_row, uniform_directions, gather.uniform_directions, GATHER, 0, "1: directions are spread evenly and weighted by the "
+OF(uniform_row, uniform_directions, gather.uniform_directions, GATHER, 0,
+    "1: directions are spread evenly and weighted by the "
     "cosine, as published; 0: they are spread by it")
 COUNT(slices_row, slices, gather.slices, GATHER, 1, "slices, two directions each")
 COUNT(directions_row, directions, gather.directions, GATHER, 6, "N_d: directions in the tangent plane")
 COUNT(samples_row, samples, gather.samples, GATHER, 6, "N_s: samples along each direction")
 OF(rays_row, normal_rays, gather.normal_rays, GATHER, 0, "N_n: rays above the horizon, per direction")
-OF(terms_row, march_terms, gather.march_terms, GATHER, 0, "horizon and normal rays; either alone; rays over the whole hemisphere, "
+OF(terms_row, march_terms, gather.march_terms, GATHER, 0,
+    "horizon and normal rays; either alone; rays over the whole hemisphere, "
     "without a horizon")
-OF(sphere_row, growing_sphere, gather.growing_sphere, GATHER, 0, "1: the horizon rises only to surfaces within a sphere that "
+OF(sphere_row, growing_sphere, gather.growing_sphere, GATHER, 0,
+    "1: the horizon rises only to surfaces within a sphere that "
     "grows with the ray")
 
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
@@ -124,7 +128,8 @@ ROW(packed_row, store, "coefficients that are filtered or meet lamps: halves, pa
     "half packed float", 1, 0, 2, PLAN, 0)
 ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in a gather of its own",
     "none joint apart", 1, 0, 2, PLAN, 0)
-OF(occluded_row, occluded_emitters, light.occluded_emitters, GATHER, 0, "1: emitters reflect the light that the last frame let through to "
+OF(occluded_row, occluded_emitters, light.occluded_emitters, GATHER, 0,
+    "1: emitters reflect the light that the last frame let through to "
     "them, not all of it: several bounces")
 ROW(filtered_row, filtered, "the filter smooths these", "coefficients light", 1, 0, 1, PLAN, 0)
 OF(residual_row, residual, light.residual, GATHER, 1, "1: unoccluded irradiance is exact, harmonics give the "
@@ -249,12 +254,12 @@ static const plan plans[] = {
                &range_row, &gathered_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP, &normal_row, &noise_row,
                &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
     { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_SLICES, 0,
-      SETTINGS(&slices_row, &samples_row, &gathered_row, &thickness_row, &limit_row, &falloff_row, &normal_row, &noise_row,
-               &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, &left_handed_row,
+      SETTINGS(&slices_row, &samples_row, &gathered_row, &thickness_row, &limit_row, &falloff_row, &normal_row,
+               &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row, &left_handed_row,
                &offset_row, ROUGH) },
     { SSGI_GL_PASS_HSAO, SSGI_GL_SEARCH_MARCH, 0,
-      SETTINGS(&directions_row, &samples_row, &rays_row, &terms_row, &sphere_row, &gathered_row, &thickness_row, &limit_row,
-               &falloff_row, &offset_row, ROUGH, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row,
+      SETTINGS(&directions_row, &samples_row, &rays_row, &terms_row, &sphere_row, &gathered_row, &thickness_row,
+               &limit_row, &falloff_row, &offset_row, ROUGH, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row,
                &compare_row, &margin_row, &history_row) },
     { SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_SLICES, 0, SSDO(WALK, &one_sided_row) },
     { SSGI_GL_PASS_SSDO, SSGI_GL_SEARCH_POINTS, 0, SSDO(POINTS) },

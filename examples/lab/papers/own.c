@@ -39,7 +39,8 @@ static int draw_stages(FILE *record, const options *o, const sheet *t, row *rows
         { "AO", "dss", "" }, { "DO", "dss-lit", ",bounce=none" }, { "DO, GI", "dss-lit", "" },
         { "specular", "dss-gloss", "way=capture,size=0.015,epsilon=0.1,levels=5,resolution=full,overhang=centroid,"
                                    "near_samples=1,enlarge=1,combine=add" },
-        { "SSS", "dss-scatter", "way=capture,resolution=full,overhang=centroid,near_samples=1,material=marble,unit=0.05,"
+        { "SSS", "dss-scatter",
+          "way=capture,resolution=full,overhang=centroid,near_samples=1,material=marble,unit=0.05,"
                                 "levels=7,epsilon=0.02" },
         { "AO, the library's", "dss", "way=capture" }
     };

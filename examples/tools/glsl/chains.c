@@ -10,7 +10,8 @@ static const char *const variations[] = {
     "ssdo,bounce=NONE,thickness=SLABS", "ssdo-best,bounce=NONE,thickness=SLABS", "ssdo,bounce=NONE,history=1",
     "ssdo,bounce=NONE,environment=SH,residual=1", "ssdo,reuse=1", "ssdo,lights.shadow=FILL",
     "ssdo-points,bounce=NONE", "s3ho-fast,transfer=DIRECT,packed_coefficients=0,restore=RATIO",
-    "s3ho,transfer=DIRECT,packed_coefficients=0,restore=RATIO", "s3ho-best,transfer=DIRECT,packed_coefficients=0,restore=RATIO",
+    "s3ho,transfer=DIRECT,packed_coefficients=0,restore=RATIO",
+    "s3ho-best,transfer=DIRECT,packed_coefficients=0,restore=RATIO",
     "s3ho,transfer=DIRECT,shaded=0,restore=NONE,coefficients=1", "dss-best,span=0",
     "dss,effect=LIGHT,environment=MAP", "dss-lit,hidden_sky=1"
 };

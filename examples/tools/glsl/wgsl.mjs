@@ -1,7 +1,7 @@
 /* wgsl.mjs - SPIR-V to WGSL by tint, which is inside npm's @babylonjs/core: assets/twgsl. For translate.sh.
 
-      node wgsl.mjs TWGSL OF FILE.spv ..      TWGSL.cjs (their twgsl.js) and TWGSL.wasm; writes FILE.wgsl, or says why not:
-         then its status is 1. On a terminal it tells how many of OF are there */
+      node wgsl.mjs TWGSL OF FILE.spv ..      TWGSL.cjs (their twgsl.js) and TWGSL.wasm; writes FILE.wgsl, or
+         says why not: then its status is 1. On a terminal it tells how many of OF are there */
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
