@@ -760,9 +760,8 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
      solid_angle  [units: sr] [limit: 0..4 pi, clamped]
      cosine       of the angle between the cap's axis and the surface's normal [limit: -1..1, clamped]
    Arguments that are not finite count as 0. The result is in [0,1] and monotone in both arguments. Its absolute error
-   is 1e-12, as a float 1e-7. GLSL twin: ssgi_cap. */
+   is 1e-12. GLSL twin: ssgi_cap. */
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
-SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
 /* Writes the same occlusion as a look-up table [AOF05 section 4.2], for desc.input.cap_table of ssgi_gl.h or for your
    shaders: out[y * size + x] is the occlusion of solid angle 4 pi x / (size - 1) and cosine 2 y / (size - 1) - 1.
@@ -3720,11 +3719,6 @@ SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine)
     return large ? 1.0 - a : a;
 }
 
-SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
-{
-    return (float)ssgi_cap_occlusion((double)solid_angle, (double)cosine);
-}
-
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
 {
     SSGI__THERE(out);
@@ -4544,7 +4538,7 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
                                     const float normal[3])
 {
     const ssgi_field_limits l = limits ? *limits : ssgi_field_limits_of(field);
-    float solid_angle, fill, axis[3], d[3], hulls, r, a;
+    float solid_angle, fill, axis[3], d[3], hulls, cosine, r, a;
     for (int k = 0; k < 3; ++k) {
         if (!ssgi__finite(point[k]) || !ssgi__finite(normal[k])) return 0.0f;
         d[k] = point[k] - field->centre[k];
@@ -4552,7 +4546,8 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
     r = sqrtf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     if (!(r < l.reach)) return 0.0f;
     hulls = ssgi_field_cap(&solid_angle, axis, &fill, field, point);
-    a = fill * ssgi_cap_occlusionf(solid_angle, axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2]);
+    cosine = axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2];
+    a = fill * (float)ssgi_cap_occlusion((double)solid_angle, (double)cosine);
     if (hulls < 1.0f) a = l.inside + (a - l.inside) * powf(hulls, l.power);
     if (r > l.ramp) {
         const float t = (r - l.ramp) / (l.reach - l.ramp);
@@ -5143,6 +5138,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    SSGI_PLAN_METHOD_SURFELS -> SSGI_PLAN_METHOD_DSS
    ssgi_gl_half -> ssgi_gl_resolution
    ssgi_gl_terms -> ssgi_gl_march_terms
+   ssgi_cap_occlusionf -> ssgi_cap_occlusion
    desc.gather.directions -> desc.gather.slices
    desc.gather.samples -> desc.gather.directions
    desc.gather.steps -> desc.gather.samples

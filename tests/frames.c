@@ -8,7 +8,6 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 kit_camera looking_along_z(int width, int height, int orthographic)
 {

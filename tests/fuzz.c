@@ -355,7 +355,7 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
                                        field.centre[1] + field.radius * (float)(data[i + 1] - 128) / 64,
                                        field.centre[2] },
                         a = ssgi_field_occlusion(&field, NULL, f + i, f + i + 3),
-                        cap = ssgi_cap_occlusionf(f[i], f[i + 1]);
+                        cap = (float)ssgi_cap_occlusion((double)f[i], (double)f[i + 1]);
             const float b = ssgi_field_occlusion(&field, NULL, near_by, f + i + 3);
             MUST(a >= 0.0f && a <= 1.0f && b >= 0.0f && b <= 1.0f && cap >= 0.0f && cap <= 1.0f);
         }

@@ -9,6 +9,8 @@
 /* what the message is made of is looked at when it fails */
 #define CHECK(condition, ...) t_is((condition) || t_check(__FILE__, __LINE__, __VA_ARGS__))
 static inline int t_is(int ok) { return ok; }
+/* a call that returns 0, or another number and why in `err` */
+#define TRY(call) CHECK(!(call), "%s", err.text)
 #define RUN(sentence, function) t_run(sentence, function)
 /* A call that is refused: it returns that result and names what is bad, by &why; out stays what it was. */
 #define T_REFUSED(call, result, name, out, was) \

@@ -9,7 +9,6 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 enum { W = 96, H = 54 };
 static const kit_lighting dark;
@@ -579,14 +578,12 @@ static void compare(int ridges)
           MEANS, 0, 0.05 },
 #define RESTORES(stage, how) \
         { { "s3ho", "s3ho" }, "residual=1,blur=1,resolution=half,indirect=apart,restore=", { "none", how }, bounce, \
-          stage, \
-          RMSE, 0, 1e-3 }
+          stage, RMSE, 0, 1e-3 }
         RESTORES(BY_LAMP, "ratio"), RESTORES(AMONG_COLUMNS, "difference"),
         { { "hsao", "hsao" }, "left_handed=", { "0", "1" }, "Y", UNDER_SKY, WORST, 0, 0 },
 #define CREASE(method, set, half, stage, least, most) \
         { { method, method }, set, { ",blur=1,samples=4,resolution=" half, ",blur=0,resolution=full,restore=none" }, \
-          light_of, stage, \
-          RMSE, least, most }
+          light_of, stage, RMSE, least, most }
         CREASE("ssdo", "bounce=none", "1", RIDGE, 0, 0.003),
         CREASE("ssdo", "bounce=none,environment=sh", "1", RIDGE, 0, 0.003),
         CREASE("ssdo-best", "bounce=none", "0", RIDGE, 0, 0.003),

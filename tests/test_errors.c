@@ -14,7 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 enum { FINER = 8 };                        /* rays of the truth that tells the noise of one, over that one's */
 static const double margin = 1.04, noisy = 0.4;       /* of a bound: over the error; the most that is noise */

@@ -7,7 +7,6 @@
 #include <string.h>
 
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 /* ---- scripted sequences: what is kept, frame by frame, is known ----------------------------------------------- */
 

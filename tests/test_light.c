@@ -9,7 +9,6 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 enum { W = 112, H = 63 };
 

@@ -9,7 +9,6 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 enum { W = 160, H = 90, POINTS = 64 * 64 };
 
@@ -103,7 +102,7 @@ static void caps(void)
                        at, texture))
             return;
         for (int i = 0; i < POINTS; ++i) {
-            const float exact = ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1]);
+            const float exact = (float)ssgi_cap_occlusion(2 * pi * (double)at[4 * i], (double)at[4 * i + 1]);
             worst = fmax(worst, fabs((double)(out[i] - exact)));
         }
         CHECK(tabled ? worst < 2e-3 && worst > 1e-4 : worst < 1e-5, "table %d: off by %.2g", tabled, worst);

@@ -10,7 +10,6 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 /* 33 samples, steps: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
 static const struct {

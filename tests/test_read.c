@@ -8,7 +8,6 @@
 enum { W = 192, H = 108, SIDE = 64, SAMPLES = 4 };
 
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 static const char triangle[] = "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, "
                                "0.0, 1.0); }\n";

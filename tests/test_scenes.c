@@ -9,7 +9,6 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 /* A direction by the cosine about +z: sample i of so many squared. */
 static void lobe(double d[3], int i, int side)

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TRY(call) CHECK(!(call), "%s", err.text)
 
 static kit_error err;
 enum { W = 120, H = 68, STEPS = 64 };

@@ -9,7 +9,6 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 #define COUNT(array) (int)(sizeof (array) / sizeof (array)[0])
 
 static double dot(const float a[3], const float b[3])

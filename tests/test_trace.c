@@ -8,7 +8,6 @@
 #include <string.h>
 
 static kit_error err;
-#define TRY(call) CHECK(!(call), "%s", err.text)
 #define COUNT(array) (int)(sizeof (array) / sizeof (array)[0])
 
 static int build(ssgi_trace *trace, void **memory, const float *position, size_t triangles)

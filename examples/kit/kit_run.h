@@ -75,8 +75,8 @@ void      kit_rotation_of(float rotation[12], const float a[16], const float b[1
 /* What the G-buffer shows, in the world. all: the sphere that holds most of it. middle: at the median depth in the
    middle of the picture, as wide as that, for extra cameras. point: of every pixel, and its depth; for the caller to
    free. */
-typedef struct kit_sight { kit_sphere all, middle; float (*point)[4]; size_t points; } kit_sight;
-int       kit_seen(const kit_gbuffer *g, kit_sight *seen, kit_error *err);
+typedef struct kit_seen_places { kit_sphere all, middle; float (*point)[4]; size_t points; } kit_seen_places;
+int       kit_seen(const kit_gbuffer *g, kit_seen_places *seen, kit_error *err);
 /* Extra cameras: their G-buffers, their frames, their depths as one array. */
 int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about);
 
@@ -87,7 +87,7 @@ typedef struct kit_placed_light { ssgi_gl_light light; kit_camera camera; int ma
 /* All lights of the world as placed: --light, the environment's suns, virtual point lights (which are not among
    direct). A sun's maps, where it has any, cover all that is seen: --light's the near part of it, all of it, and the
    whole scene, which extra cameras and surfels see. NULL on failure. */
-kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sight *seen, int *count, int *direct);
+kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_seen_places *seen, int *count, int *direct);
 /* their shadow maps, as tiles in their order */
 int       kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count);
 /* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each: for the caller to free (NULL: no

@@ -120,7 +120,7 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
 {
     const kit_image *env = &m->world->lighting->env;
     kit_run *run = m->run;
-    kit_sight seen;
+    kit_seen_places seen;
     int count;
     kit_rotation_of(run->frame.rotation, picture, NULL);
     m->desc.light.environment = SSGI_GL_ENVIRONMENT_MAP;

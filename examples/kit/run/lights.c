@@ -35,7 +35,7 @@ static void widen(float rectangle[4], const float axes[16], const float p[3])
    the whole scene. Rectangles across the light: lower x, y, then upper. */
 enum { NEAR, SEEN, WHOLE, PARTS };
 static void parts_of(float part[PARTS][4], float range[2], const float axes[16], const float at[3],
-                     const kit_scene *scene, const kit_sight *seen)
+                     const kit_scene *scene, const kit_seen_places *seen)
 {
     float least = 1e30f, last = 0;
     range[0] = 1e30f;
@@ -63,8 +63,8 @@ static void parts_of(float part[PARTS][4], float range[2], const float axes[16],
 
 /* A sun's maps, so many rows, fine ones first (most: 3; 1: of all that is seen alone); those are left out whose next is
    hardly wider. They look from beyond all that could shadow. How many. */
-static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *scene, const kit_sight *seen, int most,
-                    int size)
+static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *scene, const kit_seen_places *seen,
+                    int most, int size)
 {
     static const float origin[3];
     const float along[3] = { -at[0], -at[1], -at[2] };
@@ -100,7 +100,7 @@ static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *s
 
 /* A sun, with its maps where there is a scene to shadow it: how many rows, one at least. */
 static int sun(kit_placed_light *out, const float at[3], const float colour[3], const kit_scene *scene,
-               const kit_sight *seen, int most, int size)
+               const kit_seen_places *seen, int most, int size)
 {
     memset(out, 0, (size_t)most * sizeof *out);
     int rows = scene ? sun_maps(out, at, scene, seen, most, size) : 0;
@@ -114,7 +114,7 @@ static int sun(kit_placed_light *out, const float at[3], const float colour[3], 
 }
 
 /* --light number i, as so many lights. */
-static int place_light(kit_placed_light *out, const kit_light *w, const kit_scene *scene, const kit_sight *seen,
+static int place_light(kit_placed_light *out, const kit_light *w, const kit_scene *scene, const kit_seen_places *seen,
                        float extent, int size)
 {
     static const float face[6][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
@@ -132,7 +132,7 @@ static int place_light(kit_placed_light *out, const kit_light *w, const kit_scen
 }
 
 /* The environment as so many suns. How many lights, -1: failure. */
-static int place_suns(kit_placed_light *out, const kit_making *m, const kit_scene *scene, const kit_sight *seen,
+static int place_suns(kit_placed_light *out, const kit_making *m, const kit_scene *scene, const kit_seen_places *seen,
                       int size)
 {
     const kit_image *env = &m->world->lighting->env;
@@ -166,7 +166,7 @@ static int choose_vpls(ssgi_vpl *found, int vpls, const kit_making *m)
     return failed ? kit_fail(m->err, "vpls: %s", why) : 0;
 }
 
-static int place_vpls(kit_placed_light *out, const kit_making *m, const kit_sight *seen, int mapped, float extent,
+static int place_vpls(kit_placed_light *out, const kit_making *m, const kit_seen_places *seen, int mapped, float extent,
                       int size)
 {
     const int vpls = m->set->vpls;
@@ -186,7 +186,7 @@ static int place_vpls(kit_placed_light *out, const kit_making *m, const kit_sigh
     return failed ? -1 : vpls;
 }
 
-kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sight *seen, int *count, int *direct)
+kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_seen_places *seen, int *count, int *direct)
 {
     const kit_lighting *lighting = m->world->lighting;
     const kit_scene *scene = m->world->scene;

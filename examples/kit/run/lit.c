@@ -128,7 +128,7 @@ int kit_open_lit(kit_making *m, const float picture[16])
     kit_gbuffer *g = run->gbuffer;
     const int s3ho = m->desc.pass == SSGI_GL_PASS_S3HO, harmonics = s3ho && set->lights == KIT_LIGHTS_HARMONICS;
     int count = 0, direct = 0, failed = 0;
-    kit_sight seen;
+    kit_seen_places seen;
     if (s3ho && set->indirect && g->direct)
         return kit_fail(m->err, "method %s: its bounce is of --env and --light alone, the frame's direct.R .. would be "
                                 "left out: take ssdo, or --set indirect=none", m->method->name);

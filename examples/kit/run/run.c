@@ -27,7 +27,7 @@ static int ask_gbuffer(const kit_making *m, kit_gbuffer *g)
 /* Ambient visibility from what is seen. */
 static int open_visibility(kit_making *m, const float picture[16])
 {
-    kit_sight seen = { .point = NULL };
+    kit_seen_places seen = { .point = NULL };
     const ssgi_gl_chain chain = kit_chain(m);
     const int failed = m->desc.gather.views
                     && (kit_seen(m->run->gbuffer, &seen, m->err) || kit_add_views(m, picture, &seen.middle));

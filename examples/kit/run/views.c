@@ -6,8 +6,8 @@
 
 /* The points in the world that a frame shows, into seen, with their sums in sum (x, y, z, count) and the sum of their
    squares; and of the middle of the picture every 7th depth, whose number is returned. */
-static size_t gather_points(kit_sight *seen, float *depths, double sum[4], double *squares, const kit_image *frame,
-                            const kit_camera *c)
+static size_t gather_points(kit_seen_places *seen, float *depths, double sum[4], double *squares,
+                            const kit_image *frame, const kit_camera *c)
 {
     const float *z = kit_image_channel(frame, "Z");
     size_t count = 0;
@@ -31,7 +31,7 @@ static size_t gather_points(kit_sight *seen, float *depths, double sum[4], doubl
     return count;
 }
 
-int kit_seen(const kit_gbuffer *g, kit_sight *seen, kit_error *err)
+int kit_seen(const kit_gbuffer *g, kit_seen_places *seen, kit_error *err)
 {
     const kit_camera *c = &g->camera;
     kit_image frame;
