@@ -1029,6 +1029,8 @@ static void what_is_printed(void)
     write_text("json.txt", said);
     if (has("python3"))
         works("python3 -c 'import json; json.load(open(\"json.txt\"), parse_constant=exit)'");
+    works("test \"$($R --version)\" = 'ssgi 0.5' && for o in --help --list '--list s3ho'; do $R $o | "
+          "awk 'length > 100 { exit 1 }' || exit 1; done");
     CHECK(works("$R --list s3ho") && strstr(said, "none [joint] apart") && strstr(said, "[linear] square")
               && strstr(said, "4 in 1..4"), "the settings of s3ho: %s", said);
 }

@@ -9,7 +9,7 @@ import { Passes, sized } from 'ssgi/webgpu';
 import { pass as passOf } from 'three/tsl';
 
 const pass = new SSGIPass(new THREE.Scene(), new THREE.PerspectiveCamera(),
-                          { pass: 'SSDO', preset: 'FAST', half: 'NONE' });
+                          { pass: 'SSDO', preset: 'FAST', resolution: 'FULL' });
 pass.adjust = (frame: Frame) => { frame.thickness_limit[0] = 0.2; };
 pass.given = { MOTION: new THREE.Texture() };
 pass.harmonics = ambientOf(pass.scene);

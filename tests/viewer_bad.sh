@@ -84,7 +84,7 @@ fi
 build/viewer --help >$work/out 2>$work/said
 check 'viewer --help: status 0, on standard output' "$(test $? = 0 && grep -q '^usage: viewer' $work/out \
     && ! test -s $work/said && echo 1)"
-for option in --help '-h' "plane --right truth --size 32x24 --shot $work/a.png"; do
+for option in --help -h --version "plane --right truth --size 32x24 --shot $work/a.png"; do
     build/viewer $option >/dev/full 2>$work/said
     check "viewer $option >/dev/full: status 2, one line" \
         "$(test $? = 2 && test "$(wc -l <$work/said)" = 1 && grep -q 'standard output' $work/said && echo 1)"

@@ -94,7 +94,7 @@ f+f             size    b=="320x180"                        whole
 size:400x240+wait   size    b=="400x240"                    another size
 w               size    b=="400x240"                        the line twice
 END
-methods=$(build/render --list | sed '/^settings/,$d' | awk '{ print $1 }')
+methods=$(build/render --list | sed '/^settings/,$d' | awk '/^[a-z]/ { print $1 }')
 found=
 for m in $methods; do ask m; found="$found$(value method)
 "; done

@@ -55,7 +55,7 @@ struct replay {
             throw std::runtime_error(s.is["pass"].get<std::string>() + ": draws into another size than the kit");
         s.frame = data(is["frame"]);
         s.instances = is["instances"];
-        if (s.is["pass"] == "splat") s.surfels = data(surfels["data"]);
+        if (s.is["pass"] == "dss") s.surfels = data(surfels["data"]);
         for (size_t k = 0; k < s.yours.size(); ++k) s.yours[k] = is["yours"][k] < 0 ? nullptr : texture(is["yours"][k]);
     }
 

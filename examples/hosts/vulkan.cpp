@@ -10,7 +10,7 @@ struct step {
     json is; /* in the manifest */
     vk::raii::Pipeline pipeline = nullptr;
     uint32_t width = 0, height = 0, instances = 0;
-    /* set by who draws: an image for each input that is yours; ssgi_gl_frame; of pass splat ssgi_surfel[] */
+    /* set by who draws: an image for each input that is yours; ssgi_gl_frame; of pass dss ssgi_surfel[] */
     std::vector<image *> yours;
     vk::Buffer frame, surfels;
 };
@@ -30,7 +30,7 @@ static step step_of(gpu &g, const std::string &folder, const json &manifest, cha
     if (is["size"] == "QUARTER") size[0] = (width + 3) / 4, size[1] = (height + 3) / 4;
     if (is["size"] == "TILES") size[0] = (width + 7) / 8, size[1] = (height + 7) / 8;
     if (is["size"] == "LEVELS") {
-        const int levels = c.is["chain"]["desc"].value("levels", manifest["defaults"]["splat"]["levels"].get<int>());
+        const int levels = c.is["chain"]["desc"].value("levels", manifest["defaults"]["dss"]["levels"].get<int>());
         const auto gathered = c.is["chain"]["desc"].value("resolution", std::string());
         const int part = gathered.empty() ? 1 : gathered[0] == 'Q' ? 4 : 2;
         ssgi_splat_size(size, (width + part - 1) / part, (height + part - 1) / part, levels, nullptr);

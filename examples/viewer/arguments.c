@@ -45,30 +45,34 @@ static int size_of(const char *text, int size[2])
 
 void usage(void)
 {
-    fputs("usage: viewer [MODEL | NAME | random:SEED]   [options]\n"
-          "  MODEL                  a file of OBJ, glTF, GLB, PLY, FBX or what else Assimp reads\n"
+    fputs("usage: viewer [MODEL | NAME | random:SEED]  [options]\n"
+          "  MODEL                  a file that Assimp reads: OBJ, glTF, GLB, PLY, FBX and others\n"
           "  NAME                   a built-in scene  [room]; build/render --list names them\n"
-          "  --method NAME          any of build/render --list  [ssdo]\n"
-          "  --set key=value,..     settings of whichever method has them; history is 1 where there is one\n"
-          "  --right METHOD | truth     beside it\n"
-          "  --radius R             farthest occluder, scene units  [the scene's own]\n"
-          "  --env F.exr | F.hdr | sky | probe | windows | street | white   --env-turn DEGREES   --env-strength F\n"
-          "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   up to 16\n"
-          "                         [without both, the light of a scene by seed; else sky, and a sun]\n"
+          "  --method NAME          any method of build/render --list  [ssdo]\n"
+          "  --set key=value,..     settings of the methods that have them; history is 1 where there is one\n"
+          "  --right METHOD | truth\n"
+          "                         what the right half shows\n"
+          "  --radius R             the distance of the farthest occluder, in scene units  [the scene's own]\n"
+          "  --env NAME             F.exr, F.hdr, sky, probe, windows, street or white\n"
+          "  --env-turn DEGREES     turns it anticlockwise;  --env-strength F  multiplies it\n"
+          "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b\n"
+          "                         up to 16  [without --env and --light: a scene by seed has its own light,\n"
+          "                         all others the sky and a sun]\n"
           "  --ground               a square under the mesh\n"
-          "  --camera ex,ey,ez,tx,ty,tz   --up x,y,z   --fovy DEGREES | --ortho-height UNITS\n"
+          "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --fovy DEGREES | --ortho-height UNITS\n"
           "  --orbit DEGREES        the camera turns so far a frame\n"
           "  --slide X,Y,Z          the first object that casts stands so far from its place\n"
-          "  --size WxH             of the window  [1280x720]\n"
-          "  --scale auto | F       share of the window's sides that is drawn, 0.1..1; auto: while the view moves, so\n"
-          "                         much that a frame takes a quarter of a second at most; at rest all of it, and the\n"
-          "                         mean of 32 frames is shown  [auto; with --shot 1]\n"
+          "  --size WxH             the size of the window  [1280x720]\n"
+          "  --scale auto | F       the share of the window's sides that is drawn, 0.1..1. auto: while the\n"
+          "                         view moves, so much that a frame takes a quarter of a second at most. At\n"
+          "                         rest all of it is drawn, and the mean of 32 frames is shown\n"
+          "                         [auto; with --shot 1]\n"
           "  --colours 0 | 1        1: visibility is shown on the scene's colours  [1]\n"
-          "  --panel 0 | 1          times of the passes  [1; with --shot 0]\n"
+          "  --panel 0 | 1          1: the times of the passes are shown  [1; with --shot 0]\n"
           "  --keys                 starts with the list of keys\n"
-          "  --shot F.png           a picture of the window, then the end   --frames N   so many frames before it\n"
-          "  --command              at the end, prints the line that has build/render draw the left half's picture\n"
-          "  --help, -h             this\n"
+          "  --shot F.png           saves a picture of the window and ends;  --frames N  draws N frames before\n"
+          "  --command              at the end, prints the line that has build/render draw the left half\n"
+          "  --help, -h             prints this;  --version  prints the version of the library\n"
           "keys\n"
           "  drag       orbit; right drag: pan; wheel: zoom\n"
           "  drop       a model, or .hdr .exr as the sky\n",
@@ -180,6 +184,7 @@ static int option(viewer *v, asked *to, const char *name, const char *value)
 static int alone(viewer *v, asked *to, const char *name)
 {
     if (!strcmp(name, "--help") || !strcmp(name, "-h")) to->help = 1;
+    else if (!strcmp(name, "--version")) to->version = 1;
     else if (!strcmp(name, "--ground")) v->ground = 1;
     else if (!strcmp(name, "--keys")) v->help = 1;
     else if (!strcmp(name, "--command")) v->command = 1;
@@ -203,7 +208,7 @@ int arguments(viewer *v, asked *to, int argc, char **argv)
     }
     if (v->panel < 0) v->panel = !v->shot;
     if (v->pace.fixed < 0) v->pace.fixed = v->shot ? 1 : 0;
-    if (to->help) return 0;
+    if (to->help || to->version) return 0;
     if (to->fovy > 0 && to->ortho_height > 0) return kit_fail(&v->err, "--ortho-height: cannot go with --fovy");
     if (!to->env && (v->light.turn != 0 || v->light.strength >= 0))
         return kit_fail(&v->err, "%s: needs --env", v->light.turn != 0 ? "--env-turn" : "--env-strength");

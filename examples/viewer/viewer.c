@@ -162,6 +162,7 @@ int main(int argc, char **argv)
     setenv("KIT_THREADS", cores, 0); /* one core is left to draw */
     int failed = arguments(&v, &to, argc, argv);
     if (!failed && to.help) usage();
+    else if (!failed && to.version) printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
     else if (!failed) {
         failed = open_all(&v, &to) || window_open(&v) || draw_open(&v);
         if (!failed) input_open(&v);

@@ -189,7 +189,7 @@ void   window_title(viewer *v);
 
 typedef struct asked {
     const char *scene, *method, *right, *env, *set[VIEWER_WISHES], *light[KIT_MAX_LIGHTS];
-    int         sets, lights, help, camera, up;
+    int         sets, lights, help, version, camera, up;
     double      place[6], upward[3], slide[3];
     double      fovy, ortho_height;
 } asked;

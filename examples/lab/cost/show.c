@@ -144,7 +144,7 @@ static int kind_of(const cost_chain *c)
 {
     int light = 0;
     for (int i = 0; i < c->passes; ++i) {
-        if (c->pass[i].vertices || !*c->pass[i].name || !strcmp(c->pass[i].name, "field")) return -1;
+        if (c->pass[i].vertices || !*c->pass[i].name || !strcmp(c->pass[i].name, "aof")) return -1;
         light |= !strcmp(c->pass[i].name, "ssdo") || !strcmp(c->pass[i].name, "s3ho");
     }
     return c->passes ? light : -1;

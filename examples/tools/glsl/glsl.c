@@ -420,6 +420,16 @@ static int has_chain(int argc, char **argv)
 }
 
 /* What is asked for; 0: done, 1: nothing that there is, -1: failed. */
+static const char usage[] =
+    "usage: glsl-text --chain CHAIN .. --LANGUAGE .. FOLDER\n"
+    "                                    the shaders of chains, as hsao,balanced,thickness=back. LANGUAGE is\n"
+    "                                    330, 410, 450, 300es, 310es, 320es, vulkan, spv, wgsl, hlsl or msl\n"
+    "       glsl-text FOLDER [DIALECT]   every pass in every variant, with manifest.json\n"
+    "       glsl-text --chains           the names of chains\n"
+    "       glsl-text --passes ssgi_gl.h the table of passes and fields, as PASSES.md has it\n"
+    "       glsl-text --types            the TypeScript types of fields\n"
+    "       glsl-text --help | --version\n";
+
 static int run(int argc, char **argv, kit_error *err)
 {
     if (has_chain(argc, argv)) return do_chains(argc, argv, err);
@@ -429,6 +439,11 @@ static int run(int argc, char **argv, kit_error *err)
     }
     if (argc == 2 && !strcmp(argv[1], "--types")) { manifest_types(); return 0; }
     if (argc == 2 && !strcmp(argv[1], "--chains")) { list_chains(); return 0; }
+    if (argc == 2 && (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h"))) { fputs(usage, stdout); return 0; }
+    if (argc == 2 && !strcmp(argv[1], "--version")) {
+        printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
+        return 0;
+    }
     if (argc < 2 || argc > 3 || *argv[1] == '-' || (argc == 3 && dialect_named(argv[2]) < 0)) return 1;
     return write_all(argv[1], argc == 3 ? dialect_named(argv[2]) : -1, err);
 }
@@ -439,8 +454,7 @@ int main(int argc, char **argv)
     kit_streams_open();
     const int status = run(argc, argv, &err);
     if (status > 0) {
-        fputs("usage: glsl-text FOLDER [DIALECT] | --chain CHAIN .. --LANGUAGE .. FOLDER | --chains |\n"
-              "       --passes ssgi_gl.h | --types\n", stderr);
+        fputs(usage, stderr);
         return 2;
     }
     if (!status) kit_streams_close(&err);

@@ -6,72 +6,96 @@
 #include <string.h>
 
 /* C99 has strings of 4095 characters. */
-static const char *const usage[3] = {
-    "usage: render MODEL | NAME | random:SEED | --gbuffer FRAME.exr   [options]\n"
+static const char *const usage[] = {
+    "usage: render MODEL | NAME | random:SEED | --gbuffer FRAME.exr  [options]\n"
     "  render model.glb --out ao.png\n"
     "  render room --truth 256 --out truth.exr\n"
     "  render room --method hsao --set samples=8,blur=1 --score truth.exr --time 20\n"
     "  render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png\n"
     "  render room --save-gbuffer frame.exr\n"
     "  render --gbuffer frame.exr --out ao.png\n"
-    "  render --list | --list hsao\n"
+    "  render --list | --list hsao | --version\n",
     "what to draw\n"
-    "  MODEL                 OBJ, glTF, GLB, PLY, FBX or what else Assimp reads (without libassimp-dev: OBJ alone).\n"
-    "                        One that lies far from 0 is drawn about its middle; --camera, --light and saved frames\n"
-    "                        stay in its own coordinates\n"
-    "  --gbuffer F.exr       a captured frame: Z (view depth > 0), perhaps N.X N.Y N.Z (view space; without them\n"
-    "                        normals are of the depth, normal=depth), albedo.R .., direct.R .., farther depth layers\n"
-    "                        layer1.Z ..; back.Z, front2.Z, back2.Z (thickness=). Its header's camera and radius are "
-    "the\n"
-    "                        defaults of --camera with --up, of --fovy or --ortho-height, and of --radius: files of\n"
-    "                        --save-gbuffer have them, and those that examples/tools/capture/capture.py makes of a\n"
-    "                        depth buffer and its projection. Of Blender's multilayer EXR are taken Depth, Normal,\n"
-    "                        which are of the world and need --camera, DiffCol and DiffDir\n"
-    "  --layer NAME          of a frame: the view layer, where there are several\n"
-    "  --channel Z=NAME      of a frame: channel NAME of it is Z; N.X and the others likewise\n"
-    "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  [0,1,0; Blender: 0,0,1]  --near N  --far F  --size WxH\n"
-    "                        planes: view depths; an orthographic near plane may lie behind the eye (below 0)\n"
-    "  --fovy DEGREES | --ortho-height UNITS   the picture's height: an angle, vertical; units of the scene. Of a "
-    "frame\n"
-    "                        whose data window is not its display window: that one's height\n"
-    "  --ground              a square under the mesh\n"
-    "  --flat                its normals are those of its faces; else as its file has them, or its faces'\n"
-    "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
-    "                        (without it and --light scenes by seed have their own)\n"
-    "  --env-turn DEGREES  --env-strength F   turns it anticlockwise, from above; times F\n"
-    "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
-    "16\n"
-    "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz], or FRAME.exr alone where it has\n"
-    "                        its camera; perhaps with motion.X motion.Y, pixels from where a point was in the frame\n"
-    "                        before, +y down; --out has a %04d. All are read, and must have one size and the same\n"
-    "                        channels, before the first picture is written; the first one's radius is that of all\n"
-    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as\n"
-    "                        it is drawn, and those before it stay where one cannot be\n"
-    "  --slide X,Y,Z         the first object that casts stands so far from its place; --frames: moves so far a frame\n"
-    "  --still N             the last of N frames of a view that stays, for methods that keep history\n",
+    "  MODEL                 An OBJ, glTF, GLB, PLY, FBX or another file that Assimp reads (without\n"
+    "                        libassimp-dev: OBJ alone). A model that lies far from 0 is drawn about its\n"
+    "                        middle; --camera, --light and saved frames keep its own coordinates.\n"
+    "  NAME, random:SEED     A built-in scene, or a scene by seed: --list names them.\n"
+    "  --gbuffer F.exr       A captured frame. It has Z (view depth above 0) and may have N.X N.Y N.Z\n"
+    "                        (in view space; without them normals are computed from depth), albedo.R ..,\n"
+    "                        direct.R .., farther depth layers layer1.Z .., and for thickness= back.Z,\n"
+    "                        front2.Z and back2.Z. The camera and the radius in its header are the\n"
+    "                        defaults of --camera, --up, --fovy or --ortho-height, and --radius. Files of\n"
+    "                        --save-gbuffer have them, and so have those that\n"
+    "                        examples/tools/capture/capture.py makes of a depth buffer and its\n"
+    "                        projection. Of Blender's multilayer EXR the passes Depth, Normal, DiffCol\n"
+    "                        and DiffDir are read; its normals are of the world and need --camera.\n"
+    "  --layer NAME          The view layer of a frame that has several.\n"
+    "  --channel Z=NAME      Channel NAME of a frame is its Z; likewise N.X and the others.\n"
+    "  --camera ex,ey,ez,tx,ty,tz\n"
+    "                        The eye and the target.\n"
+    "  --up x,y,z            The direction that is up [0,1,0; of Blender's frames 0,0,1].\n"
+    "  --near N, --far F     The planes, as view depths. An orthographic near plane may lie behind the\n"
+    "                        eye (below 0).\n"
+    "  --size WxH            The size of the picture in pixels.\n"
+    "  --fovy DEGREES        The vertical angle of view. Of a frame whose data window is not its display\n"
+    "                        window: that of the display window.\n"
+    "  --ortho-height UNITS  An orthographic camera: the height of its picture in units of the scene.\n"
+    "  --ground              A square under the mesh.\n"
+    "  --flat                The mesh has the normals of its faces. Without it, it has the normals of its\n"
+    "                        file, or those of its faces where the file has none.\n",
+    "  --env NAME            The environment's radiance, for lit methods: F.exr or F.hdr (latitude and\n"
+    "                        longitude), sky, probe, windows, street or white. Scenes by seed have their\n"
+    "                        own light unless --env or --light is given.\n"
+    "  --env-turn DEGREES    Turns the environment anticlockwise, seen from above.\n"
+    "  --env-strength F      Multiplies the environment by F.\n"
+    "  --light point:x,y,z,r,g,b\n"
+    "                        A point light: its place and its radiant intensity.\n"
+    "  --light sun:x,y,z,r,g,b\n"
+    "                        A sun: the direction to it, and the irradiance of a surface that faces it.\n"
+    "                        There may be up to 16 lights.\n"
+    "  --sequence FRAMES.txt A line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz], or FRAME.exr alone\n"
+    "                        where it has its camera. Frames may have motion.X and motion.Y: how many\n"
+    "                        pixels away a point was in the frame before, +y down. --out has a %04d. All\n"
+    "                        frames are read, and must have one size and the same channels, before the\n"
+    "                        first picture is written. The first one's radius is that of all.\n"
+    "  --frames N --orbit DEGREES\n"
+    "                        So many pictures of a scene, so far apart about the target. Each is written\n"
+    "                        when it is drawn; where one fails, those before it stay.\n"
+    "  --slide X,Y,Z         The first object that casts stands so far from its place; with --frames it\n"
+    "                        moves so far a frame.\n"
+    "  --still N             The last of N frames of a view that stays, for methods that keep history.\n",
     "how\n"
-    "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
-    "  --set key=value,..    settings of the method\n"
-    "  --radius R | guess    farthest occluder, scene units   [the scene's or the frame's own]; guess: how far apart\n"
-    "                        the tops of the scene's mesh are\n"
-    "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest\n"
-    "                        method predicted to err by ERROR; BUDGET in 16-sample ssaos, or RX 6800 ms: 0.3ms.\n"
-    "                        Light and bounce look at --env, --light\n"
-    "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples), by\n"
-    "                        the normals of the mesh; --flat: by those of its faces\n"
-    "  --floor RAYS          instead of a method: rays against the sheet that the frame's pixels make. It has no\n"
-    "                        thickness, and nothing that it hides occludes: methods that guess more may err less\n"
-    "  --context osmesa | egl | egl-es   [osmesa, else egl]\n",
+    "  --method NAME         [hsao] --list names all methods, --list NAME the settings of one.\n"
+    "  --set key=value,..    Settings of the method.\n"
+    "  --radius R            The distance of the farthest occluder, in units of the scene [the scene's or\n"
+    "                        the frame's own].\n"
+    "  --radius guess        How far apart the tops of the scene's mesh are.\n"
+    "  --plan WHAT:ERROR[:BUDGET]\n"
+    "                        WHAT is visibility, light, bounce or objects (occlusion between them). Draws\n"
+    "                        by the cheapest method whose predicted error is ERROR or less. BUDGET is a\n"
+    "                        cost in 16-sample SSAOs, or in milliseconds of an RX 6800: 0.3ms. Light and\n"
+    "                        bounce depend on --env and --light.\n"
+    "  --truth RAYS          Ground truth of the quantity that --method computes, by so many rays a pixel\n"
+    "                        (dss-scatter: thousands of samples), with the normals of the mesh, or with\n"
+    "                        --flat those of its faces.\n"
+    "  --floor RAYS          Instead of a method: rays against the sheet that the frame's pixels make.\n"
+    "                        The sheet has no thickness, and nothing that it hides occludes. Methods\n"
+    "                        that guess what is hidden may have a smaller error.\n"
+    "  --context osmesa | egl | egl-es\n"
+    "                        The source of the GL context [osmesa, or egl where there is none].\n",
     "what comes out\n"
-    "  --out F.exr | F.png   Y = ambient visibility; lit: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
-    "  --colours             with a method of visibility, of --out: that times the colours of what is seen, R G B\n"
-    "  --backdrop            of --out: R G B of --env where nothing is seen\n"
-    "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference; then edges (within 3 pixels of a jump in\n"
-    "                        depth), border (nearer to it than the radius is long) and interior apart\n"
-    "  --time N              median GL time of each pass over N frames\n"
-    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it, with camera and radius, and with the channels that\n"
-    "                        --set layers=, thickness= of a method read\n"
-    "  --json                machine-readable\n"
+    "  --out F.exr | F.png   Y is ambient visibility. Of lit methods R G B is the light, and an EXR has\n"
+    "                        irradiance.R .. and bounce.R .., too; a PNG has R G B in sRGB.\n"
+    "  --colours             --out of a method of visibility is that times the surfaces' colours, R G B.\n"
+    "  --backdrop            --out shows the environment where there is no surface.\n"
+    "  --score REF.exr       Prints RMSE, bias, p95 and SSIM against a reference, and each of them for\n"
+    "                        edges (within 3 pixels of a jump in depth), for the border (nearer to it\n"
+    "                        than the radius is long) and for the interior.\n"
+    "  --time N              Prints the median GL time of each pass over N frames.\n"
+    "  --save-gbuffer F.exr  The G-buffer, as --gbuffer reads it, with the camera, the radius, and the\n"
+    "                        channels that layers= and thickness= of --set read.\n"
+    "  --json                Prints figures for programs.\n"
+    "  --version             Prints the version of the library.\n"
 };
 
 void render_usage(FILE *to)
@@ -195,6 +219,7 @@ typedef struct option {
 static const option table[] = {
     { "--help", FLAG, TO(help), 0, 0, 0, NULL },
     { "-h", FLAG, TO(help), 0, 0, 0, NULL },
+    { "--version", FLAG, TO(version), 0, 0, 0, NULL },
     { "--json", FLAG, TO(json), 0, 0, 0, NULL },
     { "--ground", FLAG, TO(ground), 0, 0, 0, NULL },
     { "--flat", FLAG, TO(flat), 0, 0, 0, NULL },
@@ -351,7 +376,7 @@ int render_parse(options *o, int argc, char **argv, kit_error *err)
             return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
         } else o->scene = a;
     }
-    if (o->list || o->help) return 0;
+    if (o->list || o->help || o->version) return 0;
     if (o->sequence && (o->scene || o->gbuffer || o->has_camera || o->frames))
         return kit_fail(err, "--sequence %s: names its frames and cameras itself", o->sequence);
     if (o->sequence) o->gbuffer = o->sequence;
@@ -373,6 +398,21 @@ static void list_words(char *out, size_t size, const kit_setting *s)
     }
 }
 
+/* A text at a column, from which it goes on in lines of at most 100 characters. */
+static void list_text(int column, const char *text)
+{
+    const int room = 100 - column;
+    for (int left = (int)strlen(text); left > room;) {
+        int n = room;
+        while (n && text[n] != ' ') --n;
+        if (!n) break;
+        printf("%.*s\n%*s", n, text, column, "");
+        text += n + 1;
+        left -= n + 1;
+    }
+    puts(text);
+}
+
 int render_list(const char *name, kit_error *err)
 {
     kit_method m;
@@ -382,12 +422,14 @@ int render_list(const char *name, kit_error *err)
     for (int i = 0; kit_method_at(&m, i); ++i) {
         if (name && strcmp(name, m.name)) continue;
         found = 1;
-        printf("%-12s %s\n", m.name, m.about);
+        printf("%-12s ", m.name);
+        list_text(13, m.about);
         for (int k = 0; name && kit_method_setting(&s, &m, k); ++k) {
             char values[160];
             if (s.choices) list_words(values, sizeof values, &s);
             else snprintf(values, sizeof values, "%g in %g..%g", s.value, s.least, s.most);
-            printf("  %-16s %-28s %s\n", s.key, values, s.about);
+            printf("  %-21s %s\n%24s", s.key, values, "");
+            list_text(24, s.about);
         }
     }
     if (name && !strcmp(name, "models"))

@@ -448,10 +448,11 @@ int main(int argc, char **argv)
     j.world.lighting = &j.lighting;
     failed = render_parse(&j.o, argc, argv, &err);
     if (!failed && j.o.help) render_usage(stdout);
+    else if (!failed && j.o.version) printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
     else if (!failed && j.o.list) failed = render_list(j.o.listed, &err);
     else if (!failed) failed = do_job(&j, &err);
     if (failed) return fail(err.text);
     if (kit_streams_close(&err)) return fail(err.text);
-    if (!j.o.list && !j.o.help) end_job(&j);
+    if (!j.o.list && !j.o.help && !j.o.version) end_job(&j);
     return 0;
 }

@@ -29,7 +29,7 @@ typedef struct options {
     int         plan_in_ms;                /* the budget is milliseconds of an RX 6800 */
     /* what comes out */
     const char *out, *score, *save, *listed;
-    int         time, json, list, help, colours, backdrop;
+    int         time, json, list, help, version, colours, backdrop;
 } options;
 
 /* All options. */
