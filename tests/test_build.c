@@ -290,9 +290,10 @@ static void documentation(void)
           "a document names a target that there is not: %s", text);
     if (has("node"))
         CHECK(!shell(text, sizeof text,
-                     "for f in README.md examples/docs/INTEGRATE.md; do "
-                     "awk '/^```js/ { on = 1; next } /^```/ { on = 0 } on' \"%s/$f\" >code.mjs && test -s code.mjs && "
-                     "node --check code.mjs%s || exit 1; done", t_root, ""),
+                     "for f in README.md examples/docs/INTEGRATE.md examples/tools/packages/npm.md; do "
+                     "rm -f code*.mjs && awk '/^```js/ { on = \"code\" ++n \".mjs\"; next } /^```/ { on = \"\" } "
+                     "on { print >on }' \"%s/$f\" && ls code*.mjs >js && while read -r m; do node --check $m%s || exit 1; "
+                     "done <js || exit 1; done", t_root, ""),
               "JavaScript of a document cannot be read: %s", text);
     /* figures: decimals but versions and those of code, "3 of 4" from the chart on */
     CHECK(!shell(text, sizeof text,
@@ -403,7 +404,7 @@ static void surroundings(void)
 {
     static const struct { const char *folders; int most; } rows[] = {
         { "tests", 25600 },         { "examples/lab", 15800 },
-        { "examples/kit", 16100 },  { "examples/tools", 5420 },
+        { "examples/kit", 16100 },  { "examples/tools", 5465 },
         { "Makefile", 540 },        { "examples/web examples/viewer examples/hosts", 9800 }
     };
     char text[400];

@@ -37,8 +37,8 @@ radius|420x280+560+250|100%
 2|room --radius 2
 
 half|210x140+560+420|200%
-NONE, hsao-best|grass --method hsao-best
-FIRST, the default|grass
+FULL, hsao-best|grass --method hsao-best
+HALF, the default|grass
 QUARTER|grass --method hsao-quarter
 
 counts|210x140+620+330|200%
