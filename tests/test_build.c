@@ -292,8 +292,8 @@ static void documentation(void)
         CHECK(!shell(text, sizeof text,
                      "for f in README.md examples/docs/INTEGRATE.md examples/tools/packages/npm.md; do "
                      "rm -f code*.mjs && awk '/^```js/ { on = \"code\" ++n \".mjs\"; next } /^```/ { on = \"\" } "
-                     "on { print >on }' \"%s/$f\" && ls code*.mjs >js && while read -r m; do node --check $m%s || exit 1; "
-                     "done <js || exit 1; done", t_root, ""),
+                     "on { print >on }' \"%s/$f\" && ls code*.mjs >js && "
+                     "while read -r m; do node --check $m%s || exit 1; done <js || exit 1; done", t_root, ""),
               "JavaScript of a document cannot be read: %s", text);
     /* figures: decimals but versions and those of code, "3 of 4" from the chart on */
     CHECK(!shell(text, sizeof text,
