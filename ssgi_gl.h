@@ -176,8 +176,9 @@ typedef enum ssgi_gl_pass {
                  texture of unit u is at 2 + u of set desc.shader.texture_set, by default both 0; with desc.shader.dense
                  bindings have no gaps (ssgi_gl_io.set, .binding; ssgi_gl_input.set, .binding). A texture is a sampled
                  image, fetched without a sampler, in the layout GENERAL or SHADER_READ_ONLY_OPTIMAL. Its view is of an
-                 array where ssgi_gl_input.array says so, even of one slice, as that of emitters. Bindings from 18 on
-                 and other sets are yours. Depth is viewed by its depth aspect alone
+                 array where ssgi_gl_input.array says so, even of one slice, as that of emitters. With
+                 desc.shader.compute output k is at 18 + k of set desc.shader.output_set. Bindings from 24 on and other
+                 sets are yours. Depth is viewed by its depth aspect alone
      formats     ssgi_gl_format has Vulkan's and WebGPU's names
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
                  (WGSL: overrides): other slices, directions and samples need no other shader
@@ -218,6 +219,22 @@ typedef enum ssgi_gl_uniforms {
     SSGI_GL_UNIFORMS_FORCE = SSGI_FORCE
 } ssgi_gl_uniforms;
 
+/* desc.shader.compute: what writes the picture of a pass. With a compute stage the pass has no other stage: its outputs
+   are storage images of their names, and ssgi_gl_step.groups says how many groups of invocations to dispatch. It writes
+   the same texels and tests whether an invocation lies in the image. 450, 310ES, 320ES and VULKAN have it, for passes
+   that neither draw geometry nor leave texels out nor blend: not aof, surfels, dss, deinterleave, smooth and compose,
+   and without desc.filter.onto. Wait for the images between steps, in GL by
+   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
+     ALL      formats as in targets. In Vulkan they need the feature shaderStorageImageExtendedFormats
+     BASIC    formats that each Vulkan device and WebGPU can store, which GLES always has: RGBA8 instead of R8, R32F
+              instead of R16F, four channels instead of two */
+typedef enum ssgi_gl_compute {
+    SSGI_GL_COMPUTE_NONE = 0, /* a triangle, by a vertex and a fragment stage */
+    SSGI_GL_COMPUTE_ALL,
+    SSGI_GL_COMPUTE_BASIC,
+    SSGI_GL_COMPUTE_FORCE = SSGI_FORCE
+} ssgi_gl_compute;
+
 /* Stages of ssgi_gl_emit. */
 enum {
     SSGI_GL_STAGE_VERTEX = 0,
@@ -225,6 +242,7 @@ enum {
     SSGI_GL_STAGE_TESS_CONTROL,
     SSGI_GL_STAGE_TESS_EVALUATION,
     SSGI_GL_STAGE_GEOMETRY,
+    SSGI_GL_STAGE_COMPUTE,
     SSGI_GL_STAGES, /* how many */
 };
 
@@ -669,13 +687,21 @@ typedef struct ssgi_gl_filter_desc {
 typedef struct ssgi_gl_shader_desc {
     ssgi_gl_dialect dialect;
     ssgi_gl_uniforms uniforms;
+    ssgi_gl_compute compute;
     int block_set;       /* VULKAN   [limit: 0..31]  the descriptor set of the uniform blocks */
     int texture_set;     /* VULKAN   [limit: 0..31]  that of the textures. Fragment stages of SDL_GPU want 2, the blocks
                             in 3, dense */
+    int output_set;      /* VULKAN, compute   [limit: 0..31]  that of the storage images. Compute stages of SDL_GPU want
+                            1, the textures in 0, the blocks in 2, dense */
     int dense;           /* VULKAN   1: bindings have no gaps, counted from 0 over all stages of the pass: the blocks
-                            that it reads, then its textures in the order of ssgi_gl_step.input; textures in a set of
-                            their own begin at 0. 0: a name has the same binding in every variant of a pass */
+                            that it reads, then its textures in the order of ssgi_gl_step.input, then storage images;
+                            those in a set of their own begin at 0. 0: a name has the same binding in every variant of
+                            a pass */
+    int group_width;     /* compute   [limit: 0..16] [default: 8]  invocations of a group in a row */
+    int group_height;    /* compute   [limit: 0..16] [default: 8]  rows of a group */
     int lines;           /* 1: the shader has #line directives, so that a compiler's "0:N" is line N of this header */
+    int storage;         /* compute   [limit: 0..2]  of the steps: ssgi_gl_chain.precise, by which the storage images
+                            have their formats */
     const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
 } ssgi_gl_shader_desc;
@@ -826,14 +852,17 @@ enum {
 typedef struct ssgi_gl_io {
     const char *name; /* exactly as in the shader: "t_ssgi_depth" */
     int kind;
-    const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
-    int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass. OUTPUT, ATTRIBUTE: location.
+    const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D". OUTPUT of a compute stage: what is stored in
+                           an image2D, or where it begins with u in a uimage2D */
+    int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass. OUTPUT, ATTRIBUTE: location, of
+                           a compute stage the unit of the image.
                            CAPTURE: place in the interleaved buffer. CONSTANT: its value. PARAM: its block, 0
                            ssgi_frame, 1 ssgi_views */
     size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views, the same as in the std140 block. CONSTANT in
                            VULKAN: its constant_id where it may be specialised. Otherwise 0 */
     const char *format; /* TEXTURE, OUTPUT: formats and content of the texture. PARAM: units */
-    int set, binding;   /* TEXTURE, PARAM in VULKAN: those of the texture, of the block. In other dialects 0 and slot */
+    int set, binding;   /* TEXTURE, PARAM, and OUTPUT of a compute stage, in VULKAN: those of the texture, of the block,
+                           of the image. In other dialects 0 and slot */
 } ssgi_gl_io;
 
 #define SSGI_GL_MAX_IO 48
@@ -883,7 +912,8 @@ typedef struct ssgi_gl_chain {
     int precise; /* 0: 16-bit floats, and 8 bits for final visibility; 1: 32-bit floats; 2: for coefficients, too. With
                     0 nothing beyond a view depth of 65504 occludes or receives, as 16 bits end there */
     int rgba8;   /* 1: these 8 bits are those of RGBA8, four times as many bytes, for devices that cannot draw into R8;
-                    GLES 3.0 and Vulkan demand that they can, but some drivers of phones cannot */
+                    GLES 3.0 and Vulkan demand that they can, but some drivers of phones cannot. Not with
+                    desc.shader.compute, where BASIC has RGBA8 */
 } ssgi_gl_chain;
 
 /* The content of a texture of yours: ssgi_gl_input.meaning. */
@@ -951,6 +981,8 @@ typedef struct ssgi_gl_output {
     int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format; /* NULL: your picture's */
     int slices, slice;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `slice` is drawn into */
+    int set, binding;             /* desc.shader.compute in VULKAN, WebGPU: those of the storage image, a 2D view; in GL
+                                     binding is the unit of the image */
     int kept;                     /* 1: make two of it, which change places each frame: history */
     int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
@@ -987,6 +1019,7 @@ typedef struct ssgi_gl_step {
     unsigned blend[3];       /* equation, source, destination; 0: off */
     int clear;               /* 1: clear the targets first, to clear_to in each component */
     float clear_to;
+    int groups[2]; /* desc.shader.compute: dispatch so many groups across and down instead; else 0 */
 } ssgi_gl_step;
 
 /* Room for the steps of a chain of one camera (desc.gather.views 0) and one layer of depth (desc.gather.layers up to
@@ -6375,10 +6408,15 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
 
     SSGI_GL__ENUM(YOURS, shader, dialect, DIALECT, VULKAN, "330 410 450 300ES 310ES 320ES VULKAN", NULL),
     SSGI_GL__ENUM(YOURS, shader, uniforms, UNIFORMS, LOOSE, "BLOCK LOOSE", NULL),
+    SSGI_GL__ENUM(YOURS, shader, compute, COMPUTE, BASIC, "NONE ALL BASIC", NULL),
     SSGI_GL__COUNT(YOURS, shader, block_set, 31, "dialect == VULKAN"),
     SSGI_GL__COUNT(YOURS, shader, texture_set, 31, "dialect == VULKAN"),
+    SSGI_GL__COUNT(YOURS, shader, output_set, 31, "dialect == VULKAN && compute"),
     SSGI_GL__SWITCH(YOURS, shader, dense, "dialect == VULKAN"),
-    SSGI_GL__SWITCH(YOURS, shader, lines, NULL)
+    SSGI_GL__COUNT(YOURS, shader, group_width, 16, "compute"),
+    SSGI_GL__COUNT(YOURS, shader, group_height, 16, "compute"),
+    SSGI_GL__SWITCH(YOURS, shader, lines, NULL),
+    SSGI_GL__COUNT(STEPS, shader, storage, 2, "compute")
 };
 
 /* clang-format on */
@@ -6484,6 +6522,13 @@ static const char *const ssgi_gl__refusals[][2] = {
     { "receiver && normal == FROM_DEPTH", "desc.light.receiver: hidden layers need their normals" },
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_DIALECT_VULKAN ssgi_surfels makes them on the CPU" },
+    { "compute && (dialect == 330 || dialect == 410 || dialect == 300ES)",
+      "desc.shader.compute: needs SSGI_GL_DIALECT_450, _310ES, _320ES or _VULKAN" },
+    { "compute && (pass == AOF || surfel_pass || pass == DEINTERLEAVE || pass == SMOOTH)",
+      "desc.shader.compute: aof, surfels and dss draw geometry, deinterleave and smooth leave texels out: "
+      "SSGI_GL_COMPUTE_NONE" },
+    { "compute && (pass == COMPOSE || (onto && pass == BLUR && quantity == VISIBILITY))",
+      "desc.shader.compute: blends nothing onto your picture (compose, desc.filter.onto): SSGI_GL_COMPUTE_NONE" },
     { "uniforms && dialect == VULKAN",
       "desc.shader.uniforms: SSGI_GL_DIALECT_VULKAN has uniforms in blocks alone: SSGI_GL_UNIFORMS_BLOCK" },
     { "tessellate && (pass == SURFELS || pass == DSS) && dialect != 410 && dialect != 450 && dialect < 320ES",
@@ -6693,7 +6738,10 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
     { SSGI_GL__AT(surfel.levels), "(splats || pass == INTERLEAVE) && !levels", 4, NULL },
     { SSGI_GL__AT(filter.radius), "filters && !filter_radius && filter == GAUSSIAN", 2, NULL },
     { SSGI_GL__AT(filter.radius), "filters && !filter_radius && filter != GAUSSIAN", 1, NULL },
-    { SSGI_GL__AT(filter.onto), "pass == COMPOSE && !onto", SSGI_GL_ONTO_MULTIPLY, NULL }
+    { SSGI_GL__AT(filter.onto), "pass == COMPOSE && !onto", SSGI_GL_ONTO_MULTIPLY, NULL },
+    { SSGI_GL__AT(shader.compute), "compute && (dialect == 310ES || dialect == 320ES)", SSGI_GL_COMPUTE_BASIC, NULL },
+    { SSGI_GL__AT(shader.group_width), "compute && !group_width", 8, NULL },
+    { SSGI_GL__AT(shader.group_height), "compute && !group_height", 8, NULL }
 };
 
 /* clang-format on */
@@ -6977,6 +7025,24 @@ typedef struct ssgi_gl__stage {
     unsigned char fetch;                                    /* 1: desc.shader.fetch is read; 2: and calls ssgi_decode */
 } ssgi_gl__stage;
 
+/* How many pixels of the image a texel of a pass's targets stands for, in a row: 1, 2, 4 or 8. d: resolved. */
+static int ssgi_gl__part(const ssgi_gl_desc *d)
+{
+    const int size = ssgi_gl__pass_of(d->pass)->size;
+    if (size == SSGI_GL__SIZE_TILES) return 8;
+    if (size == SSGI_GL__SIZE_HALF) return 2;
+    if (size == SSGI_GL__SIZE_FULL || !d->gather.resolution) return 1;
+    return d->gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? 4 : 2;
+}
+
+/* The uniforms that the main function of a compute stage reads: ssgi_gl__print_compute. Stores beyond a picture of
+   levels, which has its textures for itself, are harmless. */
+static const char *ssgi_gl__reads_of_compute(const ssgi_gl_desc *d)
+{
+    const int levels = ssgi_gl__pass_of(d->pass)->size == SSGI_GL__SIZE_LEVELS;
+    return d->shader.compute && !levels ? "u_ssgi_size u_ssgi_target" : "";
+}
+
 /* Goes from the last function to the first, and keeps each that the roots or a kept function name; then the rows that
    these name. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
@@ -6987,6 +7053,8 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     memset(stage, 0, sizeof *stage);
     memset(&names, 0, sizeof names);
     for (; (n = ssgi_gl__word(&roots)) != 0; roots += n) ssgi_gl__named(&names, roots, n, 1);
+    for (roots = ssgi_gl__reads_of_compute(d); (n = ssgi_gl__word(&roots)) != 0; roots += n)
+        ssgi_gl__named(&names, roots, n, 1);
     for (int i = SSGI_GL__CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *code = &ssgi_gl__library[i];
         ssgi_gl__reader r = { code->text, d, code->line - 1, 0, { 0 } };
@@ -7020,16 +7088,18 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *resolved, 
     const ssgi_gl__variant *variant = row->variant;
     while (!ssgi_gl__holds(variant->when, &p->d)) ++variant;
     memcpy(p->mains, ssgi_gl__stages[row->draw][p->d.surfel.tessellate], sizeof p->mains);
-    p->mains[SSGI_GL_STAGE_FRAGMENT] = variant->main;
+    if (p->d.shader.compute) p->mains[SSGI_GL_STAGE_VERTEX] = NULL;
+    p->mains[p->d.shader.compute ? SSGI_GL_STAGE_COMPUTE : SSGI_GL_STAGE_FRAGMENT] = variant->main;
     if (stage < SSGI_GL_STAGES && !p->mains[stage]) return 0;
     for (int i = 0; i < SSGI_GL_STAGES; ++i)
         if (p->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->mains[i]);
     return 1;
 }
 
-/* Returns Vulkan's word for a word of GL, or the word itself. */
-static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length)
+/* Returns Vulkan's word for a word of GL, or that of a compute stage, or the word itself. */
+static const char *ssgi_gl__word_of(const ssgi_gl_shader_desc *text, const char *word, size_t length)
 {
+    static const char place[] = "gl_FragCoord";
     static const char *const words[][2] = { { "gl_InstanceID", "gl_InstanceIndex" },
                                             { "sampler2DArray", "texture2DArray" },
                                             { "usampler2D", "utexture2D" },
@@ -7037,9 +7107,9 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
                                             { "sampler2D", "texture2D" },
                                             { "usampler2DArray", "utexture2DArray" },
                                             { "sampler2DMS", "texture2DMS" } };
-    for (size_t i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_DIALECT_VULKAN; ++i)
+    for (size_t i = 0; i < sizeof words / sizeof *words && text->dialect == SSGI_GL_DIALECT_VULKAN; ++i)
         if (!strncmp(words[i][0], word, length) && !words[i][0][length]) return words[i][1];
-    return word;
+    return text->compute && length + 1 == sizeof place && !memcmp(word, place, length) ? "ssgi_at" : word;
 }
 
 /* Returns the id by which a count may be specialised; 0: the shader depends on it otherwise, as on the samples of a
@@ -7053,9 +7123,10 @@ static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
     return 0;
 }
 
-/* Gives a texture or a member of a block the place that the shader has in VULKAN. block: the bindings of the blocks
-   that rows before it are of, -1: none yet; count: how many blocks and textures there are before it. */
-static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int block[2], int count[2])
+/* Gives a texture, a storage image or a member of a block the place that the shader has in VULKAN. block: the bindings
+   of the blocks that rows before it are of, -1: none yet; count: how many blocks and textures there are before it, and
+   how many textures in all. */
+static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int block[2], int count[3])
 {
     if (text->dialect != SSGI_GL_DIALECT_VULKAN) return;
     if (io->kind == SSGI_GL_IO_PARAM) {
@@ -7066,6 +7137,11 @@ static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int 
         const int first = text->block_set == text->texture_set ? count[0] : 0; /* Members come before textures. */
         io->set = text->texture_set;
         io->binding = text->dense ? first + count[1]++ : io->slot + ssgi_gl__dialects[text->dialect].textures;
+    } else if (io->kind == SSGI_GL_IO_OUTPUT && text->compute) {
+        const int blocks = text->block_set == text->output_set ? count[0] : 0;
+        const int textures = text->texture_set == text->output_set ? count[2] : 0;
+        io->set = text->output_set;
+        io->binding = io->slot + (text->dense ? blocks + textures : ssgi_gl__dialects[text->dialect].textures + 16);
     }
 }
 
@@ -7073,26 +7149,29 @@ static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int 
    stage that reads any, loose uniforms are those that the stage reads. Returns how many there are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
-    int n = 0, next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block[2] = { 0 }, bound[2] = { -1, -1 }, count[2] = { 0 };
+    int n = 0, next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block[2] = { 0 }, bound[2] = { -1, -1 }, count[3] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_IO_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
+    for (int i = 0; i < SSGI_GL__ROWS; ++i) /* A compute stage is the only one. */
+        count[2] += p->stage[SSGI_GL_STAGE_COMPUTE].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_IO_TEXTURE;
     for (int i = 0; i < SSGI_GL__ROWS; ++i) {
         ssgi_gl_io io = ssgi_gl__rows[i].io;
         int used = 0;
         for (int s = 0; s < SSGI_GL_STAGES; ++s) used |= p->stage[s].row[i];
         if (!used) continue;
+        if (io.kind == SSGI_GL_IO_OUTPUT) io.binding = io.slot = next[io.kind]++;
         ssgi_gl__place(&io, &p->d.shader, bound, count);
         if (io.kind == SSGI_GL_IO_CONSTANT) {
             io.slot = ssgi_gl__get(&p->d, io.offset);
             io.offset = ssgi_gl__constant_id(&p->d, io.name);
-        } else if (io.kind != SSGI_GL_IO_PARAM && io.kind != SSGI_GL_IO_TEXTURE) io.slot = next[io.kind]++;
+        } else if (io.kind == SSGI_GL_IO_ATTRIBUTE || io.kind == SSGI_GL_IO_CAPTURE) io.slot = next[io.kind]++;
         else if (io.kind == SSGI_GL_IO_TEXTURE && ssgi_gl__rows[i].bytes && p->d.input.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_IO_CAPTURE && p->mains[SSGI_GL_STAGE_GEOMETRY] && stage >= SSGI_GL_STAGE_GEOMETRY)
             continue; /* It goes from stage to stage; the outputs of the last one are captured. */
         const int in_block = io.kind == SSGI_GL_IO_PARAM && !p->d.shader.uniforms;
         if (stage < SSGI_GL_STAGES && !(in_block ? block[io.slot] : p->stage[stage].row[i])) continue;
-        io.type = ssgi_gl__word_of(p->d.shader.dialect, io.type, strlen(io.type));
+        io.type = ssgi_gl__word_of(&p->d.shader, io.type, strlen(io.type));
         if (n++ < capacity) out[n - 1] = io;
     }
     return n;
@@ -7189,8 +7268,10 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples, int uniform)
     ssgi_gl__print(t, ");\n");
 }
 
-/* Prints a line in Vulkan's words. Varyings get locations; place holds the next one out and the next one in. */
-static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2])
+/* Prints a line in the words of Vulkan or of a compute stage. Varyings get locations; place holds the next one out and
+   the next one in. What a compute stage stores is a variable by its output's name with another first letter. */
+static void ssgi_gl__put_words(ssgi_gl__text *t, const char *s, size_t length, const ssgi_gl_shader_desc *text,
+                               int place[2])
 {
     const char *const line = s, *const end = s + length, *name = s, *word;
     int between = ssgi_gl__letter(*s), *at = &place[!strncmp(s, "in ", 3) || !strncmp(s + strcspn(s, " "), " in ", 4)];
@@ -7198,11 +7279,14 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
     if (between) ssgi_gl__print(t, "layout(location = %d) ", (*at)++);
     for (; s < end; s += length) {
         for (length = 1; ssgi_gl__letter(*s) && s + length < end && ssgi_gl__letter(s[length]);) ++length;
-        word = ssgi_gl__word_of(SSGI_GL_DIALECT_VULKAN, s, length);
+        word = ssgi_gl__word_of(text, s, length);
         if (*s == ';') between = 0;
         if (between && *s == ',') {
             ssgi_gl__print(t, "; layout(location = %d) ", (*at)++);
             ssgi_gl__put(t, line, (size_t)(name - line) - 1);
+        } else if (text->compute && length > 7 && !memcmp(s, "o_ssgi_", 7)) {
+            ssgi_gl__put(t, "r", 1);
+            ssgi_gl__put(t, s + 1, length - 1);
         } else ssgi_gl__put(t, word, word == s ? length : strlen(word));
     }
 }
@@ -7212,9 +7296,15 @@ static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t lengt
 {
     static const char flat[] = ", pixel + u_ssgi_origin"; /* A slice is put in where ", 0" follows. */
     const char *yours = d->input.array ? strstr(line, ", pixel + u_ssgi_origin, 0") : NULL;
+    if (d->shader.compute && !strncmp(line, "void main()", 11)) {
+        ssgi_gl__print(t, "void ssgi_main()");
+        line += 11;
+        length -= 11;
+    }
     for (;;) {
         const size_t part = yours && yours < line + length ? (size_t)(yours - line) : length;
-        if (d->shader.dialect == SSGI_GL_DIALECT_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
+        if (d->shader.dialect == SSGI_GL_DIALECT_VULKAN || d->shader.compute)
+            ssgi_gl__put_words(t, line, part, &d->shader, place);
         else ssgi_gl__put(t, line, part);
         if (part == length) break;
         ssgi_gl__print(t, ", ivec3(pixel + u_ssgi_origin, u_ssgi_slice)");
@@ -7246,6 +7336,51 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
     }
 }
 
+static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise, int rgba8, const ssgi_gl_io *out);
+
+/* Prints the storage images of a compute stage, the variables that they are stored from, and its texel. */
+static void ssgi_gl__print_images(ssgi_gl__text *t, const ssgi_gl_desc *d, const ssgi_gl_io *io, int n, const char *set)
+{
+    for (int i = 0; i < n; ++i) {
+        char word[16];
+        size_t k = 0;
+        if (io[i].kind != SSGI_GL_IO_OUTPUT) continue;
+        const char *const name = ssgi_gl__format(d, d->shader.storage, 0, &io[i])->name;
+        for (; name[k]; ++k) word[k] = (char)(name[k] >= 'A' ? name[k] + 32 : name[k]);
+        word[k] = 0;
+        ssgi_gl__print_place(t, "layout(", set, &io[i]);
+        ssgi_gl__print(t, ", %s) uniform writeonly %simage2D %s; // %s\n", word, *io[i].type == 'u' ? "u" : "",
+                       io[i].name, io[i].format);
+        ssgi_gl__print(t, "%s r%s;\n", io[i].type, io[i].name + 1);
+    }
+    ssgi_gl__print(t, "ivec2 ssgi_at; // this invocation's texel of them\n");
+}
+
+/* Prints the main function of a compute stage, around that of the pass. */
+static void ssgi_gl__print_compute(ssgi_gl__text *t, const ssgi_gl_desc *d, const ssgi_gl_io *io, int n)
+{
+    const int part = ssgi_gl__part(d);
+    ssgi_gl__print(t, "\nlayout(local_size_x = %d, local_size_y = %d) in;\n\nvoid main() {\n", d->shader.group_width,
+                   d->shader.group_height);
+    ssgi_gl__print(t, "    ssgi_at = ivec2(gl_GlobalInvocationID.xy);\n");
+    if (*ssgi_gl__reads_of_compute(d)) {
+        if (part == 1) ssgi_gl__print(t, "    if (any(greaterThanEqual(ssgi_at, u_ssgi_size))) return;\n");
+        else ssgi_gl__print(t, "    if (any(greaterThanEqual(%d * ssgi_at, u_ssgi_size))) return;\n", part);
+        ssgi_gl__print(t, part == 1 ? "    ssgi_at += u_ssgi_target;\n" : "    ssgi_at += u_ssgi_target / %d;\n", part);
+    }
+    ssgi_gl__print(t, "    ssgi_main();\n");
+    for (int i = 0; i < n; ++i) {
+        const char *const type = io[i].type, size = type[strlen(type) - 1];
+        if (io[i].kind != SSGI_GL_IO_OUTPUT) continue;
+        ssgi_gl__print(t, "    imageStore(%s, ssgi_at, ", io[i].name);
+        if (size == '4') ssgi_gl__print(t, "r%s);\n", io[i].name + 1);
+        else
+            ssgi_gl__print(t, *type == 'u' ? "uvec4(r%s%s));\n" : "vec4(r%s%s));\n", io[i].name + 1,
+                           *type == 'f' ? ", 0, 0, 0" : ", 0, 0");
+    }
+    ssgi_gl__print(t, "}\n");
+}
+
 static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage)
 {
     static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by ssgi_gl_io.kind */
@@ -7259,6 +7394,8 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     ssgi_gl__print(t, dialect->head);
     for (int i = 0; i < n; ++i) samples |= !strcmp(io[i].type, "sampler2DMS");
     if (*dialect->head == 'p' && samples) ssgi_gl__print(t, "precision highp sampler2DMS;\n");
+    if (*dialect->head == 'p' && d->shader.compute)
+        ssgi_gl__print(t, "precision highp image2D;\nprecision highp uimage2D;\n");
     for (int i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_IO_CONSTANT) {
             if (io[i].offset) ssgi_gl__print(t, "layout(constant_id = %d) ", (int)io[i].offset);
@@ -7268,6 +7405,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     for (int i = 0; i < n; ++i) {
         const int kind = io[i].kind;
         if (kind == SSGI_GL_IO_PARAM || kind == SSGI_GL_IO_CONSTANT) continue;
+        if (kind == SSGI_GL_IO_OUTPUT && d->shader.compute) continue;
         if (kind == SSGI_GL_IO_OUTPUT || kind == SSGI_GL_IO_ATTRIBUTE
             || (kind == SSGI_GL_IO_CAPTURE && dialect->textures))
             ssgi_gl__print(t, "layout(location = %d) ", io[i].slot);
@@ -7277,9 +7415,11 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
         }
         ssgi_gl__print(t, "%s %s %s; // %s\n", words[kind], io[i].type, io[i].name, io[i].format);
     }
+    if (d->shader.compute) ssgi_gl__print_images(t, d, io, n, dialect->set);
     if (p->stage[stage].fetch > 1) ssgi_gl__print(t, "\nfloat ssgi_decode(float d);\n");
     if (d->shader.fetch && p->stage[stage].fetch) ssgi_gl__print(t, "\n%s\n", d->shader.fetch);
     ssgi_gl__print_codes(t, &p->stage[stage], d);
+    if (d->shader.compute) ssgi_gl__print_compute(t, d, io, n);
 }
 
 static size_t ssgi_gl__end(ssgi_gl__text *t)
@@ -7321,6 +7461,8 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     memset(&p, 0, sizeof p);
     p.d = *d;
+    p.d.shader.compute = SSGI_GL_COMPUTE_NONE;
+    d = &p.d;
     ssgi_gl__link(stage, d, roots);
     const int n = ssgi_gl__collect(&p, SSGI_GL_STAGE_FRAGMENT, io, SSGI_GL_MAX_IO);
     for (int i = 0; i < n; ++i)
@@ -7521,8 +7663,9 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
     return &b->written[i].texture;
 }
 
-/* Returns the format of an output: the channels that it needs, in as few bits as chain.precise lets it have. */
-static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
+/* Returns the format of an output: the channels that it needs, in as few bits as chain.precise lets it have. d: resolved.
+   rgba8: that of the chain. */
+static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise, int rgba8, const ssgi_gl_io *out)
 {
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
     const int single = *out->type == 'f', whole = *out->type == 'u';
@@ -7530,14 +7673,17 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
     /* GLES does not blend 32-bit floats. */
     const int gles = d->shader.dialect >= SSGI_GL_DIALECT_300ES && d->shader.dialect < SSGI_GL_DIALECT_VULKAN;
     const int blended = ssgi_gl__pass_of(d->pass)->blend != SSGI_GL__BLEND_ONTO;
-    const int wide = chain->precise > coefficients && !(blended && gles);
+    const int basic = d->shader.compute == SSGI_GL_COMPUTE_BASIC;
+    int wide = precise > coefficients && !(blended && gles);
     int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
     /* The last texture may hold a single coefficient: the first of 1, or the 9th of 9. */
     if (coefficients && (d->light.bands == 1 || (d->light.bands == 3 && last == (whole ? '1' : '2'))))
         channels = SSGI_GL__R;
     if (coefficients && whole && d->light.bands == 2) channels = SSGI_GL__RG;
     if (single && !wide && !strncmp(out->format, "R8", 2)) /* Its row says that a byte holds it. */
-        return &ssgi_gl__bytes[chain->rgba8 != 0];
+        return &ssgi_gl__bytes[d->shader.compute ? basic : rgba8 != 0];
+    if (basic && channels == SSGI_GL__RG) channels = SSGI_GL__RGBA;
+    if (basic && channels == SSGI_GL__R) wide = 1;
     return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
 
@@ -7545,12 +7691,9 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
     const int column = ssgi_gl__pass_of(d->pass)->size;
-    const int chosen = d->gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? SSGI_GL__SIZE_QUARTER
-                     : d->gather.resolution                               ? SSGI_GL__SIZE_HALF
-                                                                          : SSGI_GL__SIZE_FULL;
+    const int part = ssgi_gl__part(d);
+    const int chosen = part == 4 ? SSGI_GL__SIZE_QUARTER : part == 2 ? SSGI_GL__SIZE_HALF : SSGI_GL__SIZE_FULL;
     const int size = column != SSGI_GL__SIZE_CHOSEN ? column : chosen;
-    const int of = size == SSGI_GL__SIZE_LEVELS ? chosen : size;
-    const int part = of == SSGI_GL__SIZE_TILES ? 8 : of == SSGI_GL__SIZE_QUARTER ? 4 : of == SSGI_GL__SIZE_HALF ? 2 : 1;
     s->size = size;
     s->width = (chain->width + part - 1) / part;
     s->height = (chain->height + part - 1) / part;
@@ -7630,7 +7773,9 @@ static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_
     ssgi_gl_output *out = &s->output[s->outputs++];
     const int texture = ssgi_gl__pass_of(d->pass)->texture;
     out->name = row->name;
-    out->format = d->filter.onto ? NULL : ssgi_gl__format(b->chain, d, row);
+    out->format = d->filter.onto ? NULL : ssgi_gl__format(d, b->chain->precise, b->chain->rgba8, row);
+    out->set = row->set;
+    out->binding = row->binding;
     out->kept = texture == SSGI_GL__TEXTURE_KEPT && !(d->light.restore && !strcmp(row->name, "o_ssgi_light"));
     if (texture == SSGI_GL__TEXTURE_SLICE) return; /* ssgi_gl__send gives it its number. */
     out->texture = d->filter.onto ? -1 : b->textures++;
@@ -7651,6 +7796,11 @@ static ssgi_gl_step *ssgi_gl__append(ssgi_gl__build *b, const ssgi_gl_desc *desc
     s->frame = frame;
     ssgi_gl__step_size(s, b->chain, &d);
     ssgi_gl__step_draw(s, &d);
+    if (d.shader.compute) {
+        s->desc.shader.storage = b->chain->precise;
+        s->groups[0] = (s->width + d.shader.group_width - 1) / d.shader.group_width;
+        s->groups[1] = (s->height + d.shader.group_height - 1) / d.shader.group_height;
+    }
     for (int i = 0; i < rows; ++i) { /* Textures come before the outputs of their names. */
         if (row[i].kind == SSGI_GL_IO_TEXTURE) ssgi_gl__step_input(b, s, &d, &row[i]);
         if (row[i].kind == SSGI_GL_IO_OUTPUT) ssgi_gl__step_output(b, s, &d, &row[i]);

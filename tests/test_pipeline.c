@@ -491,6 +491,64 @@ static void filter_keeps_its_word(void)
            worst[4]);
 }
 
+/* ---- compute stages ---------------------------------------------------------------------------------------------- */
+
+/* Three frames of a camera that moves, as both stages draw them, in order: the last one's bits. */
+static int by_stages(kit_image *out, const char *method, const char *set, int compute, const kit_scene *scene,
+                     const kit_lighting *l)
+{
+    kit_camera c = scene->camera;
+    kit_gbuffer g[3];
+    kit_run run[3];
+    int ok = 1, opened = 0;
+    if (compute) setenv("KIT_COMPUTE", "1", 1);
+    for (; ok && opened < 3; ++opened) {
+        c.eye[0] += 0.02f;
+        c.width = 101;
+        c.height = 67;
+        ok = TRY(kit_gbuffer_from_scene(&g[opened], scene, &c, NULL, &err))
+             && open_run(&run[opened], &g[opened], method, set, 0.4f, scene, l)
+             && CHECK((run[opened].pass[0].step->groups[0] > 0) == compute, "%s: stages of another kind", method);
+    }
+    unsetenv("KIT_COMPUTE");
+    for (int t = 0; ok && t < opened; ++t) {
+        if (t && run[0].pass[run[0].passes - 1].last[0])
+            ok = TRY(kit_run_follow(&run[t], &run[t - 1], (unsigned)t, &err));
+        kit_run_update(&run[t]);
+        kit_run_draw(&run[t], KIT_UNTIMED);
+    }
+    ok = ok && TRY(kit_run_read(out, &run[2], &err));
+    for (int t = 0; t < opened; ++t) {
+        kit_run_close(&run[t]);
+        kit_gbuffer_free(&g[t]);
+    }
+    return ok;
+}
+
+static void compute_writes_the_same(void)
+{
+    static const char *const row[][2] = { { "hsao", "" },
+                                          { "hsao-history", "" },
+                                          { "ssdo", "bounce=solid-angle,samples=4,shadow_size=64" },
+                                          { "s3ho", "samples=4,shadow_size=64" } };
+    kit_scene scene;
+    kit_lighting l;
+    if (!TRY(kit_scene_load(&scene, "room", 0, &err)) || !lighten(&l, "sky", "point:0,2,0,8,8,8")) return;
+    for (int i = 0; i < ROWS(row); ++i) {
+        kit_image is, was;
+        if (!by_stages(&was, row[i][0], row[i][1], 0, &scene, &l) || !by_stages(&is, row[i][0], row[i][1], 1, &scene, &l))
+            return;
+        const int n = is.width * is.height * is.channels;
+        int differ = 0;
+        for (int k = 0; k < n; ++k) differ += memcmp(&is.data[k], &was.data[k], sizeof *is.data) != 0;
+        CHECK(!differ, "%s,%s: %d of %d values differ by a compute stage", row[i][0], row[i][1], differ, n);
+        t_note("%s: %d of %d values differ", row[i][0], differ, n);
+        kit_image_free(&is);
+        kit_image_free(&was);
+    }
+    kit_scene_free(&scene);
+}
+
 void test_pipeline(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
@@ -501,5 +559,6 @@ void test_pipeline(void)
         garbage_is_survived);
     RUN("a post is as thick as it is wide, or as its back face says; a sheet half as thick", widths_are_measured);
     RUN("the filter keeps constants, edges and ramps, and averages a tile of noise", filter_keeps_its_word);
+    RUN("compute stages write the bits that fragments do, over frames and of light, too", compute_writes_the_same);
     kit_gl_close();
 }

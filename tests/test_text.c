@@ -67,6 +67,7 @@ static const char *describe(const ssgi_gl_desc *d)
 static int stages_of(const ssgi_gl_desc *d)
 {
     const int tessellated = d->surfel.tessellate && (d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_DSS);
+    if (d->shader.compute) return 1 << SSGI_GL_STAGE_COMPUTE;
     return 1 << SSGI_GL_STAGE_VERTEX | 1 << SSGI_GL_STAGE_FRAGMENT
            | (tessellated ? 1 << SSGI_GL_STAGE_TESS_CONTROL | 1 << SSGI_GL_STAGE_TESS_EVALUATION : 0)
            | (tessellated && d->pass == SSGI_GL_PASS_DSS ? 1 << SSGI_GL_STAGE_GEOMETRY : 0);
@@ -285,7 +286,7 @@ static void speak(void)
 }
 
 /* of the stages' files, and of TOOLBOX's */
-static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "frag" };
+static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "comp", "frag" };
 
 /* Many files a call, as a call takes a fifth of a second. For Vulkan (v) glslang links what it is called with, and
    refuses to link many texts, but reads each first by Vulkan's rules, and that is what is looked at. */
@@ -327,7 +328,8 @@ static GLuint linked(const ssgi_gl_desc *d)
 {
     static char text[SSGI_GL_STAGES][TEXT];
     static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER,
-                                                  GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
+                                                  GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER,
+                                                  GL_COMPUTE_SHADER };
     const char *source[SSGI_GL_STAGES], *kept[3];
     GLenum stage[SSGI_GL_STAGES];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -946,6 +948,9 @@ static const struct { const char *start, *desc; } rules[] = {
     { "desc.surfel.tessellate:", "dss,tessellate=1,dialect=310es" },
     { "desc.pass:", "surfels,dialect=vulkan" },
     { "desc.shader.uniforms:", "ssao,uniforms=loose,dialect=vulkan" },
+    { "desc.shader.compute: needs", "ssao,compute=all" },
+    { "desc.shader.compute: aof", "aof,compute=all,dialect=450" },
+    { "desc.shader.compute: blends", "blur,compute=all,onto=multiply,dialect=450" },
     { "desc.pass:", "surfels,tessellate=1,dialect=vulkan" },
     /* What is not kept has as many vectors as it likes; what a pass does not look at is no matter. */
     { NULL, "s3ho,transfer=1,shaded=1" },

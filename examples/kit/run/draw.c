@@ -158,6 +158,17 @@ static void set_values(const kit_run *run, const kit_pass *p)
     }
 }
 
+/* Writes a pass's targets by its compute stage. */
+static void dispatch(const kit_pass *p)
+{
+    const ssgi_gl_output *o = p->step->output;
+    for (int i = 0; i < p->step->outputs; ++i)
+        glBindImageTexture((GLuint)o[i].binding, o[i].slices ? p->slices : p->target[i], 0, GL_FALSE, o[i].slice,
+                           GL_WRITE_ONLY, o[i].format->internal);
+    glDispatchCompute((GLuint)p->step->groups[0], (GLuint)p->step->groups[1], 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
 void kit_run_draw(kit_run *run, int timed)
 {
     glDisable(GL_DEPTH_TEST);
@@ -183,7 +194,8 @@ void kit_run_draw(kit_run *run, int timed)
             glBlendEquation(step->blend[0]);
             glBlendFunc(step->blend[1], step->blend[2]);
         }
-        if (p->array) draw_surfels(run, p);
+        if (step->groups[0]) dispatch(p);
+        else if (p->array) draw_surfels(run, p);
         else
             glDrawArraysInstanced(step->primitive, 0, step->vertices,
                                   step->instances ? step->instances : p->instances);

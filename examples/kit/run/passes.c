@@ -5,11 +5,14 @@
 
 int kit_dialect(void) { return kit_gl_is_es() ? SSGI_GL_DIALECT_300ES : SSGI_GL_DIALECT_330; }
 
+int kit_compute(void) { return getenv("KIT_COMPUTE") && !kit_gl_is_es() ? SSGI_GL_COMPUTE_ALL : SSGI_GL_COMPUTE_NONE; }
+
 /* The stages of a pass as a program, linked without captures; 0 on failure. */
 static GLuint link_stages(const ssgi_gl_desc *desc, kit_error *err)
 {
     static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER,
-                                                  GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
+                                                  GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER,
+                                                  GL_COMPUTE_SHADER };
     char *text[SSGI_GL_STAGES];
     const char *source[SSGI_GL_STAGES];
     GLenum stages[SSGI_GL_STAGES];

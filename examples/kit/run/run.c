@@ -90,6 +90,8 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     run->frame.origin[0] = g->viewport[0];
     run->frame.origin[1] = g->viewport[1];
     m->desc.shader.dialect = kit_dialect();
+    if (m->desc.pass != SSGI_GL_PASS_DSS && m->desc.pass != SSGI_GL_PASS_AOF) m->desc.shader.compute = kit_compute();
+    if (m->desc.shader.compute) m->desc.shader.dialect = SSGI_GL_DIALECT_450;
     m->desc.input.orthographic = view.orthographic;
     m->desc.input.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
     if (kit_settings_apply(m, radius) || ask_gbuffer(m, g)) return -1;

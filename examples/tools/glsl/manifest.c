@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "glsl" };
+const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "comp",
+                                                      "glsl" };
 
 /* Lines of the manifest, each once: an entry's number stands for it. */
 enum { MOST = 1 << 14, BUCKETS = 1 << 15 };
