@@ -700,7 +700,8 @@ static void places_in_spirv(void)
     CHECK(!system(line), "%s", line);
 }
 
-/* examples/tools/glsl/translate.sh: in every language every texture is at its binding, and vertex stages turn y. */
+/* examples/tools/glsl/translate.sh: in every language every texture is at its binding, members of blocks have their names, and
+   vertex stages turn y. */
 static void translated(void)
 {
     static const struct { const char *ending, *texture, *turned, *has, *tool; } into[] = {
@@ -738,7 +739,10 @@ static void translated(void)
             CHECK(i % 2 || strstr(got, into[k].turned), "%s: y is not turned", path);
             emit(text, &d, i % 2);
             for (int r = 0, rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); r < rows; ++r) {
-                if (row[r].kind != SSGI_GL_IO_TEXTURE || !strstr(text, row[r].name)) continue;
+                if (!strstr(text, row[r].name)) continue;
+                snprintf(line, sizeof line, " %s", row[r].name);
+                CHECK(row[r].kind != SSGI_GL_IO_PARAM || !k || strstr(got, line), "%s: has no name%s", path, line);
+                if (row[r].kind != SSGI_GL_IO_TEXTURE) continue;
                 snprintf(line, sizeof line, into[k].texture, row[r].binding);
                 CHECK(strstr(got, line), "%s: nothing at the place of %s", path, row[r].name);
                 ++textures;
