@@ -285,6 +285,7 @@ void        kit_scene_move(kit_scene *scene, double time);
 #define KIT_MAX_LIGHTS 16
 typedef struct kit_lighting {
     kit_image env;                         /* radiance as kit_env_read gives it; data NULL = none */
+    float     reach;                       /* of what shadows the lights in the truth; 0: all of the scene does */
     int       lights;
     kit_light light[KIT_MAX_LIGHTS];
 } kit_lighting;

@@ -262,7 +262,7 @@ typedef struct kit_settings {
     int    environment, bounce, reuse, bounced, two_sided, one_sided, shadows, points, solid, shadow_size, suns, vpls;
     double clamp, distance_clamp, gain, max_slope;    /* radii; 1: a patch's own area; a slope */
     /* as spherical harmonics, or bent normals */
-    int    bands, store, indirect, occluded_emitters, filtered, residual, window, lights, cone;
+    int    bands, store, indirect, occluded_emitters, filtered, residual, window, lights, cone, lobes;
     /* fields */
     int    field_resolution, radii, rays, unfiltered, own, occluders;
     int    cap_table;                      /* its side; 0: closed form */

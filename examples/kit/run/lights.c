@@ -341,7 +341,8 @@ int kit_add_environment(kit_making *m)
               != SSGI_OK;
     if (!failed && mapped)
         failed = kit_environment_of(map, SIZE, run->equirect, env,
-                                    m->desc.gather.directions ? (float)(2 * KIT_PI / m->desc.gather.directions)
+                                    m->set->lobes ? (float)(2 * KIT_PI / m->set->lobes)
+                                    : m->desc.gather.directions ? (float)(2 * KIT_PI / m->desc.gather.directions)
                                     : m->desc.gather.slices
                                         ? (float)(0.75 * KIT_PI / m->desc.gather.slices)
                                         : (float)KIT_PI * run->frame.epsilon /* of surfels at the end of a shell */,

@@ -138,6 +138,8 @@ OF(lamp_residual_row, residual, light.residual, GATHER, 1, "lights=harmonics: 1:
     "give the occlusion alone")
 OF(sh_residual_row, residual, light.residual, GATHER, 1, "environment=sh: 1: unoccluded irradiance is exact, "
     "harmonics give the occlusion alone; 0: one band lights all normals alike, which errs more than no occlusion")
+ROW(lobes_row, lobes, "directions whose share of the sphere a texel of the environment's map holds; 0: the gather's",
+    NULL, 0, 0, 1024, PLAN, 0)
 ROW(window_row, window, "window over the harmonics of lights", "none hann positive", 1, 0, 2, PLAN, 0)
 ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without a bounce",
     "harmonics shadowed", 0, 0, 1, PLAN, 0)
@@ -228,7 +230,7 @@ typedef struct plan {
         &range_row, &gathered_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP
 #define WALK &slices_row, &samples_row, &falloff_row, &gathered_row, &thickness_row, &limit_row, &offset_row, ROUGH
 #define SSDO(...) \
-    SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &bounce_row, &reuse_row, &bounced_row, \
+    SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &lobes_row, &bounce_row, &reuse_row, &bounced_row, \
              &two_sided_row, &clamp_row, &distance_clamp_row, &gain_row, &shadows_row, &segment_row, &solid_row, \
              &max_slope_row, \
              &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \

@@ -198,7 +198,9 @@ static void add_light(const kit_truth *job, const kit_place *at, const kit_light
                  weight = kit_facing(at->n, to) / length / KIT_PI / (sun ? 1 : length * length);
     if (!(weight > 0) || !isfinite(weight)) return;
     /* what holds the light does not shadow it */
-    if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, sun ? INFINITY : 0.99999f)) return;
+    const float all = sun ? INFINITY : 0.99999f, reach = job->lighting->reach;
+    if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, reach > 0 ? fminf(all, reach / (float)length) : all))
+        return;
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)light->colour[c];
 }
 

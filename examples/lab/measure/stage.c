@@ -92,6 +92,7 @@ static void truth_path(char path[256], const stage *s, int paired)
         h = kit_hash(h, mesh->albedo, floats / 3);
         if (env->data) h = kit_hash(h, env->data, 3 * sizeof(float) * (size_t)env->width * (size_t)env->height);
         h = kit_hash(h, s->traced.light, (size_t)s->traced.lights * sizeof(kit_light));
+        if (s->traced.reach > 0) h = kit_hash(h, &s->traced.reach, sizeof s->traced.reach);
         if (s->otherwise.hard || s->otherwise.kind) h = kit_hash(h, &s->otherwise, offsetof(otherwise, material));
         if (s->otherwise.material) h = kit_hash(h, s->otherwise.material, strlen(s->otherwise.material));
     }

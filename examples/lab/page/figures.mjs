@@ -211,20 +211,32 @@ ${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}${m
     .join('')}`;
 }
 
+/* What a sheet prints beside what is drawn, then what the paper says, how it is judged, and what came of it. */
+function sheet(t) {
+    const kinds = { printed: 'the paper', measured: 'here', time: 'here, a time' },
+        of = (row, head) => t.rows.find(c => c.row === row && head === `${kinds[c.kind]}: ${c.head}`)?.text;
+    const all = kind => t.rows.filter(c => c.kind === kind),
+        heads = new Set(t.rows.filter(c => c.row > 0 && kinds[c.kind]).map(c => `${kinds[c.kind]}: ${c.head}`));
+    const rule = c => all('rule').filter(r => r.row === c.row).map(r => `${r.head}: ${r.text}`)[0];
+    return `### [${t.rows[0].paper}] ${t.heading}
+
+${listed(all('what'), ['row', 'text'], ...[...heads].map(head => [head, c => `${of(c.row, head) ?? ''}`]))}
+
+${listed(all('claim'), ['what the paper says, and what came of it', 'text'], ['judged by', rule])}`;
+}
+
 function papers(sheets) {
     const count = head => t => t.rows.filter(c => c.kind === 'claim' && c.head === head).length;
     const sum = head => sheets.map(count(head)).reduce((s, n) => s + n, 0);
-    const [figure, agree, not] = ['figure', 'statements that agree', 'that do not'];
-    const rows = sheets.map(t => ({
-        [figure]: `[${t.rows[0].paper}] ${t.heading}`,
-        [agree]: count('agrees')(t),
-        [not]: count('differs')(t)
-    }));
-    const all = { [figure]: 'all', [agree]: sum('agrees'), [not]: sum('differs') };
-    return `What the papers say of their tables and figures, judged by what is drawn here on comparable scenes. The
-page has theirs beside ours, pictures, and what does not agree with its cause.
+    const heads = [['statements that agree', 'agrees'], ['that do not', 'differs'], ['not judged here', 'not judged']];
+    const rows = [...sheets.map(t => [`[${t.rows[0].paper}] ${t.heading}`, ...heads.map(h => count(h[1])(t))]),
+        ['all', ...heads.map(h => sum(h[1]))]];
+    return `What the papers say of their tables and figures, judged by what is drawn here on comparable scenes. The page
+has pictures. A column that is called a time differs from run to run; no other figure does.
 
-${listed([...rows, all], [figure], [agree, , 0], [not, , 0])}`;
+${table(['figure', ...heads.map(h => h[0])], rows)}
+
+${sheets.map(sheet).join('\n\n')}`;
 }
 
 /* "weighed (busy, calm)", one number where all are the same. */

@@ -363,7 +363,7 @@ function paper(cells) {
                      ours: method?.head ? `${method.head} ${word(method.text)}${note ? `; ${note}` : ''}`
                                         : `not drawn: ${word(note)}` };
         for (const c of g) if (c.kind === 'printed') of[`paper: ${c.head}`] = c.text;
-        for (const c of g) if (c.kind === 'measured') of[c.head] = c.text;
+        for (const c of g) if (c.kind === 'measured' || c.kind === 'time') of[c.head] = c.text;
         return of;
     });
     return [el('p', {}, el('b', {}, 'The paper: '), word(text('theirs')),

@@ -140,9 +140,10 @@ int sheet_rule(claim *c, const char *rule)
 {
     static const struct { const char *word; double least, most; } words_of[] = {
         { "less", -HUGE_VAL, 1 }, { "much less", -HUGE_VAL, 0.7 }, { "little more", -HUGE_VAL, 1.1 },
-        { "similar", -HUGE_VAL, 0.15 }
+        { "similar", -HUGE_VAL, 0.25 }
     };
     double v, w;
+    c->rule = rule;
     for (int k = 0; k < COUNT(words_of); ++k) {
         if (strcmp(rule, words_of[k].word)) continue;
         c->least = words_of[k].least;

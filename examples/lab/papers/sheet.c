@@ -84,10 +84,17 @@ double sheet_judged(const sheet *t, const claim *c, const row *rows)
     return c->beside == ALONE ? v : v / sheet_value(t, rows, c->beside, c->column);
 }
 
+int sheet_timed(const sheet *t, int c)
+{
+    const int of = t->column[c].of;
+    return of <= OVERHEAD || of >= BAKE_SECONDS;
+}
+
 int sheet_holds(const sheet *t, const claim *c, const row *rows)
 {
     const double v = sheet_judged(t, c, rows);
-    return isnan(v) ? -1 : v > c->least && v < c->most;
+    if (sheet_timed(t, c->column) && kit_gl_is_software()) return UNJUDGED;
+    return isnan(v) ? UNKNOWN : v > c->least && v < c->most;
 }
 
 int sheet_own(claim *own, const sheet *t, const claim *c)
@@ -199,6 +206,7 @@ int sheet_open(stage *s, const sheet *t, const paper_row *first, kit_error *err)
     if (t->drawn >= TIMES) return stage_look(s, &seen, width, height, err);
     const float own = seen.radius > 0 ? seen.radius : s->scene.radius;
     seen.radius = t->truth > 0 ? t->truth : own * reach;
+    if (t->truth < 0) s->traced.reach = own * reach;
     if (stage_show(s, &seen, width, height, err)) return -1;
     s->radius = own * reach;
     return 0;

@@ -6,7 +6,8 @@
    sheets    a line a table or figure. heads: of what is printed, with | between; columns: HEAD=QUANTITY.DIGITS of what
              is measured; drawn: how (below); view: a line of views, else a scene of that name; phases, stride, rays: of
              the noise and of the truth; pictured: 1 has rows as pictures beside the truth, 2 the light's crops, too;
-             truth: the radius of the truth where it is not the rows', and what it has is not faded then
+             truth: the radius of the truth where it is not the rows', and what it has is not faded then; below 0: lights,
+             too, are shadowed within the rows' alone
    rows      printed: the paper's figures under the heads; no method: not drawn, and note says why, else note is a
              remark; reach: of the sheet's radius, empty for all of it; base: the row, from 1 on, that overhead is over;
              ours: of a published algorithm the row that is the library's; half: drawn at half the width and height;
@@ -60,7 +61,7 @@ typedef struct paper_row {
 /* A range of a row's value over another's, in a column; beside = ALONE: of the value itself. It holds between the
    bounds, not at them, and is judged by figures as they are shown. Where a row is of an algorithm as published, the
    library's own rows are judged beside it. */
-typedef struct claim { const char *says, *why; int column, row, beside; double least, most; } claim;
+typedef struct claim { const char *says, *why, *rule; int column, row, beside; double least, most; } claim;
 enum { ALONE = -1 };
 
 typedef struct sheet {
@@ -87,7 +88,7 @@ enum { SHEET_WIDTH = 320, SHEET_HEIGHT = 180, SHEET_RAYS = 64, SHEET_ROUNDS = 3 
 /* The k-th sheet of all; NULL past the last. What the csv have wrong ends the program in a sentence. */
 const sheet *papers_sheet(int k);
 /* The bounds of a rule: "less", "much less", "little more" (than the row beside it), "alike 0.1" (within a tenth of
-   it), "similar" (to a reference: an error of little of its mean, of visibility of what having no occlusion errs by),
+   it), "similar" (to a reference: an error below a quarter of its mean, of visibility of what having no occlusion errs by),
    "as printed 5.5" (by a factor of 1.5 either way), "within 19 21". -1: it is none. */
 int sheet_rule(claim *c, const char *rule);
 
@@ -111,7 +112,10 @@ int  sheet_columns(const sheet *t);
 double sheet_value(const sheet *t, const row *rows, int i, int c);
 /* What a claim is judged by: a value or a ratio. */
 double sheet_judged(const sheet *t, const claim *c, const row *rows);
-/* Whether a claim holds: 1, 0; -1 where a row was not drawn. */
+/* Whether a column holds times, which no other run repeats. */
+int    sheet_timed(const sheet *t, int c);
+/* Whether a claim holds: 1, 0; UNKNOWN: a row was not drawn; UNJUDGED: of times by a software rasteriser. */
+enum { UNKNOWN = -1, UNJUDGED = -2 };
 int    sheet_holds(const sheet *t, const claim *c, const row *rows);
 /* Whether the library's own rows take part in a claim; own: the claim of them. */
 int    sheet_own(claim *own, const sheet *t, const claim *c);

@@ -53,7 +53,8 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
     out[0] = 0;
     if (!f) return out;
     fprintf(f, "%s: ", c->says);
-    if (sheet_holds(t, c, rows) < 0) fputs("not known, for a row of it was not drawn", f);
+    if (sheet_holds(t, c, rows) == UNJUDGED) fputs("not judged here, for a software rasteriser has times of its own", f);
+    else if (sheet_holds(t, c, rows) == UNKNOWN) fputs("not known, for a row of it was not drawn", f);
     else put_verdict(f, t, c, rows);
     if (sheet_own(&own, t, c) && sheet_holds(t, &own, rows) >= 0) {
         fputs("; as the library has it, ", f);
@@ -82,7 +83,7 @@ void show_csv_head(FILE *f) { fputs("paper,figure,row,kind,head,text\n", f); }
 
 void show_csv(FILE *f, const sheet *t, const row *rows)
 {
-    static const char *const came_to[] = { "unknown", "differs", "agrees" };
+    static const char *const came_to[] = { "not judged", "unknown", "differs", "agrees" };
     char text[32], said[SENTENCE];
     csv_cell(f, t, 0, "title", "", t->title);
     csv_cell(f, t, 0, "theirs", "", t->theirs);
@@ -95,11 +96,13 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
         if (p->note) csv_cell(f, t, i + 1, "note", "", p->note);
         for (int k = 0; k < sheet_heads(t); ++k) csv_cell(f, t, i + 1, "printed", t->head[k], p->printed[k]);
         for (int c = 0; c < sheet_columns(t); ++c)
-            csv_cell(f, t, i + 1, "measured", t->column[c].head, cell(text, t, rows, i, c));
+            csv_cell(f, t, i + 1, sheet_timed(t, c) ? "time" : "measured", t->column[c].head, cell(text, t, rows, i, c));
     }
-    for (int k = 0; k < t->claimed; ++k)
-        csv_cell(f, t, 0, "claim", came_to[1 + sheet_holds(t, &t->claims[k], rows)],
+    for (int k = 0; k < t->claimed; ++k) {
+        csv_cell(f, t, -1 - k, "rule", t->column[t->claims[k].column].head, t->claims[k].rule);
+        csv_cell(f, t, -1 - k, "claim", came_to[2 + sheet_holds(t, &t->claims[k], rows)],
                  show_claim(said, t, &t->claims[k], rows));
+    }
 }
 
 void show_absent(FILE *record, FILE *f, const char *paper)
@@ -130,5 +133,5 @@ void show_text(FILE *f, const sheet *t, const row *rows)
     }
     fprintf(f, "%s %s, %s: %d of %d statements agree\n", t->paper, t->name, t->title, agree, known);
     for (int k = 0; k < t->claimed; ++k)
-        if (sheet_holds(t, &t->claims[k], rows) < 1) fprintf(f, "    %s\n", show_claim(said, t, &t->claims[k], rows));
+        if (!sheet_holds(t, &t->claims[k], rows)) fprintf(f, "    %s\n", show_claim(said, t, &t->claims[k], rows));
 }
