@@ -219,7 +219,7 @@ typedef enum ssgi_gl_uniforms {
     SSGI_GL_UNIFORMS_FORCE = SSGI_FORCE
 } ssgi_gl_uniforms;
 
-/* desc.shader.compute: what writes the picture of a pass. With a compute stage the pass has no other stage: its outputs
+/* desc.shader.compute: what writes the picture of a pass. With a compute stage it has no other stage: its outputs
    are storage images of their names, and ssgi_gl_step.groups says how many groups of invocations to dispatch. It writes
    the same texels and tests whether an invocation lies in the image. 450, 310ES, 320ES and VULKAN have it, for passes
    that neither draw geometry nor leave texels out nor blend: not aof, surfels, dss, deinterleave, smooth and compose,
@@ -7663,8 +7663,8 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
     return &b->written[i].texture;
 }
 
-/* Returns the format of an output: the channels that it needs, in as few bits as chain.precise lets it have. d: resolved.
-   rgba8: that of the chain. */
+/* Returns the format of an output: the channels that it needs, in as few bits as chain.precise lets it have. d:
+   resolved. rgba8: that of the chain. */
 static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise, int rgba8, const ssgi_gl_io *out)
 {
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];

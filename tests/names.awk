@@ -4,8 +4,8 @@
 # GLSL, too: at ssgi_*, SSGI_*, paths as desc.gather.samples, headings of groups, and the word that follows "pass".
 
 BEGIN {
-    split("a alone and are around as before between chain does draws ignore in is looks names of reads tell that turn use which " \
-          "with write writes", all, " ") # words behind "pass" that are no pass, and names that stand for others
+    split("a alone and are around as before between chain does draws ignore in is looks names of reads tell that turn " \
+          "use which with write writes", all, " ") # words behind "pass" that are no pass, and names that stand for others
     for (i in all) words[all[i]] = 1
     split("SSGI_GL_KIND_WORD SSGI_NAME", all, " ")
     for (i in all) words[all[i]] = 1

@@ -536,8 +536,8 @@ static void compute_writes_the_same(void)
     if (!TRY(kit_scene_load(&scene, "room", 0, &err)) || !lighten(&l, "sky", "point:0,2,0,8,8,8")) return;
     for (int i = 0; i < ROWS(row); ++i) {
         kit_image is, was;
-        if (!by_stages(&was, row[i][0], row[i][1], 0, &scene, &l) || !by_stages(&is, row[i][0], row[i][1], 1, &scene, &l))
-            return;
+        if (!by_stages(&was, row[i][0], row[i][1], 0, &scene, &l)
+            || !by_stages(&is, row[i][0], row[i][1], 1, &scene, &l)) return;
         const int n = is.width * is.height * is.channels;
         int differ = 0;
         for (int k = 0; k < n; ++k) differ += memcmp(&is.data[k], &was.data[k], sizeof *is.data) != 0;

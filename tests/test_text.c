@@ -700,8 +700,8 @@ static void places_in_spirv(void)
     CHECK(!system(line), "%s", line);
 }
 
-/* examples/tools/glsl/translate.sh: in every language every texture is at its binding, members of blocks have their names, and
-   vertex stages turn y. */
+/* examples/tools/glsl/translate.sh: in every language every texture is at its binding, members of blocks have their
+   names, and vertex stages turn y. */
 static void translated(void)
 {
     static const struct { const char *ending, *texture, *turned, *has, *tool; } into[] = {
@@ -1079,8 +1079,8 @@ static void defaults(void)
         { "emitters,radiance=both", "layers=1" },
         { "ssdo,search=points,environment=sh", "bands=3" },
         { "s3ho,search=points", "directions=16,samples=1,layers=1,bands=4" },
-        { "s3ho,search=points,transfer=1,packed_coefficients=1,kernel_texture=1,layers=3,views=1,view_layers=2,samples=2,"
-          "noise=texture",
+        { "s3ho,search=points,transfer=1,packed_coefficients=1,kernel_texture=1,layers=3,views=1,view_layers=2,"
+          "samples=2,noise=texture",
           "directions=16" },
         { "s3ho,search=points,shaded=1,residual=1", "bands=4" },
         { "shade", "bands=4" },

@@ -230,9 +230,9 @@ typedef struct plan {
         &range_row, &gathered_row, &thickness_row, &limit_row, &offset_row, ROUGH, DEEP
 #define WALK &slices_row, &samples_row, &falloff_row, &gathered_row, &thickness_row, &limit_row, &offset_row, ROUGH
 #define SSDO(...) \
-    SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &lobes_row, &bounce_row, &reuse_row, &bounced_row, \
-             &two_sided_row, &clamp_row, &distance_clamp_row, &gain_row, &shadows_row, &segment_row, &solid_row, \
-             &max_slope_row, \
+    SETTINGS(__VA_ARGS__, &few_bands_row, &sh_residual_row, &environment_row, &lobes_row, &bounce_row, &reuse_row, \
+             &bounced_row, &two_sided_row, &clamp_row, &distance_clamp_row, &gain_row, &shadows_row, &segment_row, \
+             &solid_row, &max_slope_row, \
              &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
              &restore_row, &compare_row, &margin_row, &history_row)
 #define COEFFICIENTS(store, lights, ...) \

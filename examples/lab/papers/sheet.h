@@ -6,8 +6,8 @@
    sheets    a line a table or figure. heads: of what is printed, with | between; columns: HEAD=QUANTITY.DIGITS of what
              is measured; drawn: how (below); view: a line of views, else a scene of that name; phases, stride, rays: of
              the noise and of the truth; pictured: 1 has rows as pictures beside the truth, 2 the light's crops, too;
-             truth: the radius of the truth where it is not the rows', and what it has is not faded then; below 0: lights,
-             too, are shadowed within the rows' alone
+             truth: the radius of the truth where it is not the rows', which then has no fade; below 0: lights, too,
+             are shadowed within the rows' radius alone
    rows      printed: the paper's figures under the heads; no method: not drawn, and note says why, else note is a
              remark; reach: of the sheet's radius, empty for all of it; base: the row, from 1 on, that overhead is over;
              ours: of a published algorithm the row that is the library's; half: drawn at half the width and height;
@@ -88,8 +88,8 @@ enum { SHEET_WIDTH = 320, SHEET_HEIGHT = 180, SHEET_RAYS = 64, SHEET_ROUNDS = 3 
 /* The k-th sheet of all; NULL past the last. What the csv have wrong ends the program in a sentence. */
 const sheet *papers_sheet(int k);
 /* The bounds of a rule: "less", "much less", "little more" (than the row beside it), "alike 0.1" (within a tenth of
-   it), "similar" (to a reference: an error below a quarter of its mean, of visibility of what having no occlusion errs by),
-   "as printed 5.5" (by a factor of 1.5 either way), "within 19 21". -1: it is none. */
+   it), "similar" (to a reference: an error below a quarter of its mean, or of visibility a quarter of the error of no
+   occlusion), "as printed 5.5" (by a factor of 1.5 either way), "within 19 21". -1: it is none. */
 int sheet_rule(claim *c, const char *rule);
 
 /* ---- sheet.c, own.c */

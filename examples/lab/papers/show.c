@@ -53,7 +53,8 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
     out[0] = 0;
     if (!f) return out;
     fprintf(f, "%s: ", c->says);
-    if (sheet_holds(t, c, rows) == UNJUDGED) fputs("not judged here, for a software rasteriser has times of its own", f);
+    if (sheet_holds(t, c, rows) == UNJUDGED)
+        fputs("not judged here, because a software rasteriser has times of its own", f);
     else if (sheet_holds(t, c, rows) == UNKNOWN) fputs("not known, for a row of it was not drawn", f);
     else put_verdict(f, t, c, rows);
     if (sheet_own(&own, t, c) && sheet_holds(t, &own, rows) >= 0) {
@@ -96,7 +97,8 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
         if (p->note) csv_cell(f, t, i + 1, "note", "", p->note);
         for (int k = 0; k < sheet_heads(t); ++k) csv_cell(f, t, i + 1, "printed", t->head[k], p->printed[k]);
         for (int c = 0; c < sheet_columns(t); ++c)
-            csv_cell(f, t, i + 1, sheet_timed(t, c) ? "time" : "measured", t->column[c].head, cell(text, t, rows, i, c));
+            csv_cell(f, t, i + 1, sheet_timed(t, c) ? "time" : "measured", t->column[c].head,
+                     cell(text, t, rows, i, c));
     }
     for (int k = 0; k < t->claimed; ++k) {
         csv_cell(f, t, -1 - k, "rule", t->column[t->claims[k].column].head, t->claims[k].rule);

@@ -84,7 +84,10 @@ for target in "$@"; do
             [ "$target" = msl ] || how='--hlsl --shader-model 50'
             for f in "$work"/up/*.spv; do
                 name=$(basename "$f" .spv)
-                spirv-cross "$f" $how --output "$folder/$name.$target" || { echo "$name: not as $target" >&2; continue; }
+                spirv-cross "$f" $how --output "$folder/$name.$target" || {
+                    echo "$name: not as $target" >&2
+                    continue
+                }
                 # In HLSL spirv-cross puts a number before the members of a block, another one in each text.
                 sed -i -E 's/\b_[0-9]+_(u_ssgi_)/\1/g' "$folder/$name.$target"
             done

@@ -5,7 +5,8 @@ export type Stage = 'vert' | 'frag' | 'tesc' | 'tese' | 'geom';
 export type Preset = 'FAST' | 'BALANCED' | 'BEST';
 
 /** ssgi_gl_choice: a field of a desc, 0 .. most. field: in C, as "gather.samples" */
-export interface Choice { name: string; field: string; offset: number; most: number; values: string[]; sentence: string; }
+export interface Choice { name: string; field: string; offset: number; most: number; values: string[];
+                         sentence: string; }
 
 /** ssgi_gl_io: what a program reads or writes */
 export interface Row {
