@@ -4,7 +4,8 @@
 #   make test       the library's tests; test-all: all others, too: examples, page, hosts, Vulkan, viewer
 #   make demo       the main job, into report/; chart, stability, papers, quiet, peers: what is measured
 #   make viewer     a window; web: a page in build/web/; hosts-test, vulkan: the library in others' hands
-#   make glsl       the text of every pass; wasm, npm: the headers for JavaScript; install: for pkg-config and CMake
+#   make glsl       the text of every pass; wasm, npm: the headers for JavaScript; install: for pkg-config and CMake;
+#                   shared: one library with all functions, for other languages
 #
 # All targets stand below, each under what it is for; those for who edits the headers are in
 # examples/docs/CONTRIBUTING.md.
@@ -269,6 +270,13 @@ install:
 uninstall:
 	@for f in $(INSTALLED); do rm -f '$(TO)'/$$f; done; rmdir '$(TO)/share/cmake/ssgi' 2>/dev/null || true
 
+# All functions of both headers in one library, for languages that call C but do not compile it.
+SHARED = build/libssgi.so
+shared: $(SHARED)
+$(SHARED): ssgi.h ssgi_gl.h
+	@mkdir -p $(@D)
+	@$(CC) -std=c99 -O2 -fPIC -shared -DSSGI_IMPLEMENTATION -DSSGI_GL_IMPLEMENTATION -x c ssgi_gl.h -o $@ -lm
+
 # The headers as WebAssembly, without a C library; examples/tools/wasm/ssgi.mjs loads it.
 WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Oz -fno-builtin -fno-math-errno -fdata-sections \
              -nostdlib -nostdlibinc -isystem examples/tools/wasm/libc \
@@ -374,7 +382,7 @@ clean:
 
 .PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out demo demo-test test test-all tree \
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
-        cost-record cost-shares cost-plan glsl mutants failures deps unlisted format clean
+        cost-record cost-shares cost-plan glsl mutants failures deps unlisted shared format clean
 
 # A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)

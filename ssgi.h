@@ -5176,6 +5176,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    New: SSGI_GL_MAX_STEPS. desc.shader.compute: passes that write whole pictures as compute shaders, to the same bits:
    SSGI_GL_STAGE_COMPUTE, ssgi_gl_step.groups, ssgi_gl_output.set and .binding, and desc.shader.output_set,
    .group_width, .group_height.
+   make shared builds build/libssgi.so, which has all functions of both headers, for other languages.
 
    Methods have names: ssgi_gl_method_at lists them, ssgi_gl_chain_of fills a chain by a name and FIELD=VALUE behind it,
    ssgi_gl_frame_of sets the frame's values that suit a chain, ssgi_gl_steps_of does all of it. The fields of

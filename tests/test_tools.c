@@ -400,8 +400,11 @@ static void methods_anywhere(void)
     write_text("methods.c", c);
     write_text("methods.py", python);
     write_text("methods.mjs", javascript);
-    write_text("whole.c", "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
-    works("gcc -shared -fPIC whole.c -o libssgi.so -lm && for s in c99 c++11 c++20; do "
+    works("MAKEFLAGS= make -s -C $T shared SHARED=$PWD/libssgi.so && "
+          "sed -n 's/^SSGI_DEF .*[ *]\\(ssgi_[a-z0-9_]*\\)(.*/\\1/p' $T/ssgi.h $T/ssgi_gl.h | sort -u >declared.txt && "
+          "nm -D --defined-only libssgi.so | sed 's/.* //' | sort >exported.txt && "
+          "test $(wc -l <exported.txt) -gt 100 && cmp declared.txt exported.txt");
+    works("for s in c99 c++11 c++20; do "
           "$(case $s in c99) echo gcc;; *) echo g++ -xc++;; esac) -std=$s methods.c -o m -xnone libssgi.so "
           "'-Wl,-rpath,.' && ./m >$s.txt || exit 1; done; test $(wc -l <c99.txt) -gt 20 && cmp c99.txt c++11.txt && "
           "cmp c99.txt c++20.txt && python3 methods.py | cmp c99.txt && node methods.mjs $T | cmp c99.txt");
