@@ -65,7 +65,7 @@ static int row_number(const ssgi_gl_io *io)
     fprintf(f, "{ \"name\": \"%s\", \"kind\": \"%s\", \"type\": \"%s\", \"slot\": %d, \"offset\": %zu, \"format\": ",
             io->name, kinds[io->kind], io->type, io->slot, io->offset);
     kit_json_string(f, io->format);
-    fputs(" }", f);
+    fprintf(f, ", \"set\": %d, \"binding\": %d }", io->set, io->binding);
     fclose(f);
     const int number = number_of(&rows, line, line);
     free(line);

@@ -87,6 +87,8 @@ const place *ssgi_wasm_place_at(int i)
                                     AT(ssgi_gl_io, slot),
                                     AT(ssgi_gl_io, offset),
                                     AT(ssgi_gl_io, format),
+                                    AT(ssgi_gl_io, set),
+                                    AT(ssgi_gl_io, binding),
                                     CHAIN(desc),
                                     CHAIN(lights),
                                     CHAIN(width),

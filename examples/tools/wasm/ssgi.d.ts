@@ -1,7 +1,7 @@
 
 /** Types of ssgi.mjs. Desc and Frame stand above: build/glsl-text --types prints them. What is wrong with an argument
  *  is thrown as an Error whose message names the argument and says what would be right. */
-export type Stage = 'vert' | 'frag' | 'tesc' | 'tese' | 'geom';
+export type Stage = 'vert' | 'frag' | 'tesc' | 'tese' | 'geom' | 'comp';
 export type Preset = 'FAST' | 'BALANCED' | 'BEST';
 
 /** ssgi_gl_choice: a field of a desc, 0 .. most. field: in C, as "gather.samples" */
@@ -18,6 +18,9 @@ export interface Row {
   /** PARAM: byte in the block */
   offset: number;
   format: string;
+  /** TEXTURE, PARAM, and OUTPUT of a compute stage, in VULKAN: those of the texture, of the block, of the image */
+  set: number;
+  binding: number;
 }
 
 /** ssgi_gl_chain: what is drawn for a desc. What is left out is 0 */

@@ -15,7 +15,7 @@
    no group: steps is gather.samples. Enums go by their words: the C name less its prefix. A wrong argument throws an
    Error of one sentence: the library's, or where the library cannot look (types, lengths, memory) one from here. */
 
-const stages = ['vert', 'frag', 'tesc', 'tese', 'geom'];
+const stages = ['vert', 'frag', 'tesc', 'tese', 'geom', 'comp'];
 const kinds = ['TEXTURE', 'PARAM', 'OUTPUT', 'CONSTANT', 'ATTRIBUTE', 'CAPTURE'];
 const presets = ['FAST', 'BALANCED', 'BEST'];
 const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER_NORMALS', 'LAYER_ALBEDOS', 'DIRECT',
@@ -498,7 +498,8 @@ export class Ssgi {
         const { ssgi_gl_io: io } = this.#of;
         return { name: this.#string(this.#int(at + io.name)), kind: kinds[this.#int(at + io.kind)],
                  type: this.#string(this.#int(at + io.type)), slot: this.#int(at + io.slot),
-                 offset: this.#int(at + io.offset), format: this.#string(this.#int(at + io.format)) };
+                 offset: this.#int(at + io.offset), format: this.#string(this.#int(at + io.format)),
+                 ...this.#ints(at, io, ['set', 'binding']) };
     }
     /* The ints at `at`, of each of these names. */
     #ints(at, places, names) {
