@@ -5173,7 +5173,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    _harmonics_set refuse matrices that are not rigid, ssgi_gl_sent_set suns whose min_distance is not a number of rows
    that follow, ssgi_field_load a covered share beyond 0..1. With desc.filter.onto no output is a result. Textures of
    yours that are as large as the picture tell their size, in steps of virtual point lights, too.
-   New: SSGI_GL_MAX_STEPS. desc.shader.compute: passes that write whole pictures as compute shaders, to the same bits:
+   New: SSGI_GL_MAX_STEPS. desc.shader.compute: passes that write whole pictures as compute shaders:
    SSGI_GL_STAGE_COMPUTE, ssgi_gl_step.groups, ssgi_gl_output.set and .binding, and desc.shader.output_set,
    .group_width, .group_height.
    make shared builds build/libssgi.so, which has all functions of both headers, for other languages.
