@@ -78,7 +78,7 @@ static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_e
     return 0;
 }
 
-/* Of slices alone: others have no directions that could be more. */
+/* Of slices alone: others have none that could be more. */
 static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m, const kit_image *picture,
                           kit_error *err)
 {
@@ -86,7 +86,7 @@ static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m,
     kit_image more, grey[2];
     kit_method method;
     *out = bands_unknown;
-    snprintf(set, sizeof set, "%s%sdirections=32", e->settings, *e->settings ? "," : "");
+    snprintf(set, sizeof set, "%s%sslices=32", e->settings, *e->settings ? "," : "");
     if (kit_method_find(&method, e->method, err) || kit_method_set(&method, set, NULL)) return 0;
     if (stage_drawn(&more, s, e->method, set, s->radius, err)) return -1;
     const int failed = grey_of(&grey[0], s, picture, err) || grey_of(&grey[1], s, &more, err)

@@ -6,8 +6,8 @@
    --scene: a built-in scene, random:SEED, or a model's file, which stands on a floor. Without entries: the
    presets, and what others have (make peers). Of one frame (with a history: of a view that stays, settled) it says how
    far each entry is, over smooth surfaces in shade (bands.h), from
-     noise   the same settings with 32 directions
-     all     the same walk at full size with 32 directions of 20 steps: noise, and the patterns of few steps and half
+     noise   the same settings with 32 slices
+     all     the same walk at full size with 32 slices of 20 samples: noise, and the patterns of few samples and half
              size
      truth   what is ray-traced, which has a row of its own: what half of its rays are off by, no less than its grain
    The first two are known of slices alone (hsao and its presets). CSV, and what is printed:
@@ -105,7 +105,7 @@ static int measure_entry(quiet *q, int i, kit_error *err)
     kit_method m;
     if (kit_method_find(&m, l->method, err) || draw(&picture, q, l->method, l->settings, err)) return -1;
     if (m.pass == SSGI_GL_PASS_HSAO && !m.set.normal_rays) {        /* slices */
-        snprintf(text, sizeof text, "%s%sdirections=%d", l->settings, *l->settings ? "," : "", CONVERGED);
+        snprintf(text, sizeof text, "%s%sslices=%d", l->settings, *l->settings ? "," : "", CONVERGED);
         if (draw(&converged, q, l->method, text, err) || walk_whole(q, l->method, l->settings, err)) return -1;
         reference[NOISE] = &converged;
         reference[ALL] = &q->walk;
