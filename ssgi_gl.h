@@ -55,16 +55,18 @@
 
    PASSES       ssao          ambient visibility from point samples in the hemisphere [SA07]
                 hsao          ambient visibility from slices through the view direction [TLG23], or from the paper's
-                              march [HSAO08]
-                ssdo          directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
+                              march [HSAO08]. GTAO and HBAO keep one horizon for a side of a slice; this keeps a bitmask
+                              of what is visible
+                ssdo          directional occlusion of an environment, one diffuse bounce, or both [SSDO09]; others call
+                              it SSIL or SSGI
                 s3ho          occlusion as spherical harmonics, to be dotted with light; light that occluders reflect
                               [S3HO12]
                 lights        irradiance by suns, point lights and virtual point lights, shadowed by shadow maps or by
                               segments on the screen [SSDO09 4, 5]
                 emitters      packs the outgoing radiance, the normal and the depth of surfaces, so that the bounce
                               fetches one texel a sample
-                shade         shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12,
-                              SSBN11]
+                shade         shades the coefficients of s3ho: dot product with light, bent normals, cones, from which
+                              specular occlusion follows [S3HO12, SSBN11]
                 aof           ambient occlusion by rigid occluders whose fields were baked; blending multiplies them
                               [AOF05]
                 surfels       makes surfels from triangles, or lights the surfels of a buffer; writes into a buffer

@@ -109,7 +109,10 @@ static void hosts(void)
                   { "g++", "-std=c++11 -xc++ -include \"$root/tests/macros.h\"" },
                   { "x86_64-w64-mingw32-gcc", "-std=c99 -include windows.h" },
                   { "x86_64-w64-mingw32-g++", "-std=c++17 -xc++ -include windows.h" },
-                  { "clang", "-std=c11 " MSVC } };
+                  { "clang", "-std=c11 " MSVC },
+                  { "aarch64-linux-gnu-gcc", "-std=c99" },
+                  { "arm-linux-gnueabihf-gcc", "-std=c11" },
+                  { "riscv64-linux-gnu-gcc", "-std=c99" } };
     char text[4000], line[400];
     for (size_t i = 0; i < (t_all() ? sizeof modes / sizeof modes[0] : 2); ++i) {
         if (!has(modes[i].compiler)) continue;
