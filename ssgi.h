@@ -802,9 +802,10 @@ SSGI_DEF float ssgi_interreflected(float visibility, float albedo);
 
 /* Returns the share of a glossy lobe that nothing occludes. Occlusion is taken to first order: visibility is its mean,
    the bent normal leans away from it, and a lobe sees of the second the less, the wider it is. Both terms are linear in
-   roughness, fitted to traced lobes of 14 scenes. On 14 others it errs 0.47, 0.37, 0.27 and 0.25 of dimming nothing, at
-   roughness 0.05, 0.15, 0.35 and 0.7, where visibility in its place errs 0.66, 0.60, 0.50 and 0.40 (build/reflection);
-   cones for lobe and open directions [JWPJ16 section 6] erred 0.77, 0.67, 0.52 and 0.35 on those that it is fitted to.
+   roughness, fitted to traced lobes of 14 scenes. On 14 others its error is 0.47, 0.37, 0.27 and 0.25 of dimming
+   nothing, at roughness 0.05, 0.15, 0.35 and 0.7, where that of visibility in its place is 0.66, 0.60, 0.50 and 0.40
+   (build/reflection); cones for lobe and open directions [JWPJ16 section 6] have 0.77, 0.67, 0.52 and 0.35 on the
+   scenes that it is fitted to.
      visibility        [limit: 0..1, clamped] ambient visibility
      bent, normal      [limit: -1..1, clamped] cosines of the mirrored view direction to the bent normal and to the
                        normal. Without a bent normal 1 - 1.4 * (1 - visibility) does better than this function
@@ -5027,7 +5028,7 @@ SSGI__FN char *ssgi__plan_figure(char *at, float x)
     return at;
 }
 
-/* Writes plan->why: "hsao, slabs: errs by 0.0123, the cheapest of all choices within 5 % of 0.0130". The array has room
+/* Writes plan->why: "hsao, slabs: error 0.0123, the cheapest of all choices within 5 % of 0.0130". The array has room
    for the longest sentence. */
 SSGI__FN void ssgi__plan_sentence(ssgi_plan *plan, float error)
 {
@@ -5039,7 +5040,7 @@ SSGI__FN void ssgi__plan_sentence(ssgi_plan *plan, float error)
         at = ssgi__plan_word(at, "; the nearest: ");
     }
     at = ssgi__plan_word(ssgi__plan_word(at, method[plan->method]), thickness[plan->thickness]);
-    at = ssgi__plan_word(at, plan->history ? ", history: errs by " : ": errs by ");
+    at = ssgi__plan_word(at, plan->history ? ", history: error " : ": error ");
     at = ssgi__plan_figure(at, plan->error);
     if (plan->meets) at = ssgi__plan_figure(ssgi__plan_word(at, ", the cheapest of all choices within 5 % of "), error);
     else if (!(error > 0.0f)) at = ssgi__plan_word(at, ", the least that may be had");

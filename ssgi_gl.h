@@ -3424,7 +3424,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_JOINED", NULL, __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // with thickness CONSTANT taps join up to this slope of depth\n" },
 
-/* It holds for environments: of .2 the bounce of ssdo errs by .5418, of .35 by .5048 on 28 scenes by seed at 1280x720.
+/* It holds for environments: of .2 the bounce of ssdo has an error of .5418, of .35 of .5048 on 28 scenes by seed at
+   1280x720.
    Of 0 (desc.light.one_sided) by .6614, of .35 by .5337 on 14, each of them; where a sun lights scenes they are equal.
    Where a sun alone lights thin sheets their hidden sides are dark: there the bounce is up to 1.5 times too bright. */
 { "SSGI_UNSEEN", NULL, __LINE__ + 1,
@@ -5389,7 +5390,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* Where no texel shows that surface, as in front of all others, nothing is known to occlude it, and no occlusion has a
    weight, too. At full size texels of other surfaces have none. From half size theirs falls off over the distance,
    and no occlusion has that of 3x3 texels a radius away, or 16 units of SSGI_OFF, if that is more. Half of a radius
-   would serve panes better, but errs more on leaves whose texels are all another leaf's: on grass .272 where the filter
+   would serve panes better, but is worse on leaves whose texels are all another leaf's: on grass .272 where the filter
    has .258, of a whole radius .270 where it has .264, over the pixels that differ by .002. */
 { "ssgi_unshown", NULL, __LINE__ + 1,
     "float ssgi_unshown(ssgi_blurred centre) {\n"
@@ -5519,7 +5520,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_BLURRED = 2.0; // how many fewer frames are kept, the more interpolation blurs them\n" },
 
 /* The share of all surfaces within the radius whose change leaves one frame beside this one: of .01 a box that slides
-   errs 1.051 times as its frame alone, of .007 1.042 (make stability, kept-slide). */
+   has 1.051 times the error of its frame alone, of .007 1.042 (make stability, kept-slide). */
 { "SSGI_CHANGED", NULL, __LINE__ + 1,
     "const float SSGI_CHANGED = 0.007; // share of changed surfaces that leaves one frame beside this\n" },
 
@@ -8021,7 +8022,8 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
-/* DEFAULT in a chain: slices have WIDTH, which errs least of all choices that need no further input. The other passes
+/* DEFAULT in a chain: slices have WIDTH, which has the least error of all choices that need no further input. The other
+   passes
    may read layers and cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {

@@ -586,7 +586,7 @@ static void command_line(void)
     works("$R room --size 64x36 --save-gbuffer g.exr --out a.exr && "
           "$R --gbuffer g.exr --fovy 57 --radius 0.5 --out b.exr --json --score a.exr | grep -q '\"rmse\"'");
     works("$R --gbuffer g.exr --plan visibility:0.1 --json --out b.exr | grep -q '\"plan\": {\"error\"'");
-    works("$R plane --size 4x4 --plan objects:0.1 --score y.exr | grep -q 'nothing: errs by 0.0000'");
+    works("$R plane --size 4x4 --plan objects:0.1 --score y.exr | grep -q 'nothing: error 0.0000'");
     works("$R --sequence good.txt --fovy 57 --radius 0.5 --set history=1 --out s%d.exr && test -s s0.exr && "
           "test -s s1.exr && ! test -e s2.exr");
     works("$R --sequence own.txt --set history=1 --out o%d.exr && test -s o2.exr");

@@ -305,7 +305,7 @@ size_t kit_setting_word(char *out, size_t size, const kit_setting *setting, int 
 void kit_method_text(char *text, size_t size, const kit_method *method);
 ssgi_field_desc kit_method_field(const kit_method *method);    /* what aof's settings ask of a bake */
 /* Levels of surfels that a radius wants, in image heights as it is seen. Half of it suffices where occlusion fades;
-   light, which does not, errs more with another level. */
+   light, which does not, has a larger error with another level. */
 int  kit_method_levels(const kit_method *method, double radius);
 int  kit_method_attenuation(const kit_method *method);         /* KIT_ATTENUATION_LINEAR .. of its occluders */
 /* The ray-traced truth of what a method computes, as kit_truth_ao and its like have it; of dss-scatter rays are

@@ -363,7 +363,7 @@ static int truth_upload(viewer *v)
     return 0;
 }
 
-/* The truth beside what is drawn, and what that errs by. */
+/* The truth beside what is drawn, and the error of that. */
 static void show_truth(viewer *v)
 {
     int failed = truth_want(&v->truth, &v->seen->camera, &v->side[0].method, v->radius, &v->err);

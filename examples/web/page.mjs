@@ -968,7 +968,7 @@ function writeHere() {
     $('here').textContent = !seen ? '' : `${Number.isNaN(is) ? '' : `here ${is.toFixed(3)}, `}truth ${
         (light ? mean(seen.light) : seen.visibility).toFixed(3)} ± ${seen.off.toFixed(3)}`;
 }
-/* Where the left side errs most for certain. */
+/* Where the error of the left side is largest for certain. */
 function placeWorst() {
     const { worst } = errors[0] ?? {}, box = shownBox(), frame = $('picture').getBoundingClientRect();
     $('worst').hidden = set.view !== 'difference' || !worst || worst.x > splitAt();

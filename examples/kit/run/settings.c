@@ -73,7 +73,7 @@ OF(facets_row, facets, gather.facets, GATHER, 0, "1: occluders are sought above 
 OF(lift_row, lift, gather.lift, GATHER | LIGHTS, 0, "1: slices lift receivers by offset, normals of depth are taken as "
     "far apart: for clouds of points, with offset=8, as each splat's edge is a wall otherwise")
 OF(fade_row, fade, gather.fade, GATHER, 0, "weight of an occluder by the distance of the surface in the depth buffer; "
-    "none: a far surface sends as if it were at the point, and a bounce may err more than none")
+    "none: a far surface sends as if it were at the point, and a bounce may be worse than none")
 ROW(lambda_row, lambda, "how fast that fade is, per radius: a larger one leaves less", NULL, 0, 0, 1000, FRAME,
     FRAMED(lambda))
 OF(range_row, range_check, gather.range_check, GATHER, 0,
@@ -95,8 +95,8 @@ OF(sphere_row, growing_sphere, gather.growing_sphere, GATHER, 0,
     "grows with the ray")
 
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
-OF(bounce_row, bounce, light.bounce, GATHER, 1, "estimator of one diffuse bounce; patch, as published, errs on "
-    "`room` by 2.5 of the mean, none by 2.2")
+OF(bounce_row, bounce, light.bounce, GATHER, 1, "estimator of one diffuse bounce; patch, as published, has an error of "
+    "2.5 of the mean on `room`, none of 2.2")
 ROW(bounced_row, bounced, "1: emitters send the last frame's bounce, too: further bounces", NULL, 0, 0, 1, PLAN, 0)
 ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
@@ -133,11 +133,11 @@ OF(occluded_row, occluded_emitters, light.occluded_emitters, GATHER, 0,
     "them, not all of it: several bounces")
 ROW(filtered_row, filtered, "the filter smooths these", "coefficients light", 1, 0, 1, PLAN, 0)
 OF(residual_row, residual, light.residual, GATHER, 1, "1: unoccluded irradiance is exact, harmonics give the "
-    "occlusion alone; 0: one band lights all normals alike, which errs more than no occlusion")
+    "occlusion alone; 0: one band lights all normals alike, which is worse than no occlusion")
 OF(lamp_residual_row, residual, light.residual, GATHER, 1, "lights=harmonics: 1: unoccluded light is exact, harmonics "
     "give the occlusion alone")
 OF(sh_residual_row, residual, light.residual, GATHER, 1, "environment=sh: 1: unoccluded irradiance is exact, "
-    "harmonics give the occlusion alone; 0: one band lights all normals alike, which errs more than no occlusion")
+    "harmonics give the occlusion alone; 0: one band lights all normals alike, which is worse than no occlusion")
 ROW(lobes_row, lobes, "directions whose share of the sphere a texel of the environment's map holds; 0: the gather's",
     NULL, 0, 0, 1024, PLAN, 0)
 ROW(window_row, window, "window over the harmonics of lights", "none hann positive", 1, 0, 2, PLAN, 0)
@@ -146,9 +146,9 @@ ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without 
 /* Where two endless walls meet, a surface of one has the coefficients pi/2 sqrt(1/(4 pi)) and sqrt(3/(4 pi)) times pi/3
    along its normal and 2/3 away from the other. Along (1, 1) and (1, -1) / sqrt(2) that is, by Hann's window and with
    the residual, 0.47 and 0.24 of a lamp whose cosine is 0.71: 0.66 of it where it is seen, 0.34 where it is hidden. So
-   wide a lobe darkens creases that see the lamp; with shadows from beyond the radius it errs more than nothing. */
+   wide a lobe darkens creases that see the lamp; with shadows from beyond the radius it is worse than nothing. */
 ROW(shadowed_row, lights, "--light by maps and segments, or as harmonics of two bands, wider than a lamp: a crease "
-    "that sees it keeps 0.66 of it, one that does not 0.34; may err more than no occlusion",
+    "that sees it keeps 0.66 of it, one that does not 0.34; may be worse than no occlusion",
     "harmonics shadowed", 1, 0, 1, PLAN, 0)
 ROW(cone_row, cone, "environment over the cone of unoccluded directions, or irradiance along their mean",
     "normal cone", 1, 0, 1, PLAN, 0)
