@@ -92,7 +92,6 @@ f               size    b=="160x90"                         half size
 f               size    b=="80x45"                          a quarter
 f+f             size    b=="320x180"                        whole
 size:400x240+wait   size    b=="400x240"                    another size
-w               size    b=="400x240"                        the line twice
 END
 methods=$(build/render --list | sed '/^settings/,$d' | awk '/^[a-z]/ { print $1 }')
 found=
@@ -135,7 +134,7 @@ check 'viewer, key x: an EXR' "$([ -s "$saved" ] && echo 1)"
 end Escape
 check "viewer, key Escape: status $ended" "$([ $ended = 0 ] && echo 1)"
 
-pressed="$pressed N x o q Escape "
+pressed="$pressed N x o q w Escape "
 listed=$(build/viewer --help | sed '1,/^keys/d' | awk '!/^  (drag|drop)/ { print $1; if ($2 ~ /^[A-Z]$/) print $2 }')
 for k in $listed; do
     case $k in
