@@ -295,7 +295,7 @@ SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples
                   sets. Size 4 with 16 sets gives the 4 x 4 sets of [SSDO09, S3HO12]. Neighbours have unlike turns;
                   copies of a set lie as far apart as such windows let them
      directions   [limit: 1..1024] N_d of [HSAO08 4.1.2]: a = 2 pi turn/directions, in [0, 2 pi/directions)
-   b, in [-0.5, 0.5], moves the steps. Its values are the middles of size * size strata, once each, decorrelated from
+   b, in [-0.5, 0.5], moves the samples. Its values are the middles of size * size strata, once each, decorrelated from
    the turn. (The paper's range (-1,1) spans two steps, to no use.) The same input gives the same tile. */
 SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directions, const char **why);
 

@@ -1731,7 +1731,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_noise", NULL, __LINE__ + 1,
-    "vec2 ssgi_noise(ivec2 pixel) { // in [0,1): x turns the directions, y offsets the steps\n"
+    "vec2 ssgi_noise(ivec2 pixel) { // in [0,1): x turns the directions, y offsets the samples\n"
     "#if SSGI_NOISE == SSGI_NOISE_GRADIENT\n"
     "    // x is interleaved gradient noise, which spreads evenly over every 3x3 block; y is the R2 sequence.\n"
     "    float gradient = 52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715)));\n"
@@ -8696,24 +8696,25 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     return SSGI_OK;
 }
 
+/* The thickness limits that suit a pass, in radii: the first row whose condition holds. */
+static const struct {
+    const char *when;
+    float limit;
+} ssgi_gl__limits[] = { { "pass == SSAO", 1.0f },
+                        { "by_march", 0.5f },
+                        { "(pass == SSDO || pass == S3HO) && search == POINTS", 0.7f },
+                        { "pass == SSDO || pass == S3HO", 0.4f },
+                        { NULL, 0.6f } };
+
 SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain *chain, const ssgi_view *view,
                                       float radius, const char **why)
 {
-    static const struct {
-        const char *when;
-        float limit;
-    } limits[] = { { "pass == SSAO", 1.0f },
-                   { "by_march", 0.5f },
-                   { "(pass == SSDO || pass == S3HO) && search == POINTS", 0.7f },
-                   { "pass == SSDO || pass == S3HO", 0.4f },
-                   { NULL, 0.6f } };
-
     SSGI_GL__THERE(chain);
     SSGI_GL__TRY(ssgi_gl_check(&chain->desc, why));
     SSGI_GL__TRY(ssgi_gl_frame_init(frame, view, radius, why));
     int k = 0;
-    while (!ssgi_gl__holds(limits[k].when, &chain->desc)) ++k;
-    frame->thickness_limit = limits[k].limit * radius;
+    while (!ssgi_gl__holds(ssgi_gl__limits[k].when, &chain->desc)) ++k;
+    frame->thickness_limit = ssgi_gl__limits[k].limit * radius;
     if (chain->desc.surfel.effect == SSGI_GL_EFFECT_SPECULAR) frame->epsilon = 0.1f;
     if (chain->desc.surfel.effect == SSGI_GL_EFFECT_SCATTER) frame->epsilon = 0.02f;
     return SSGI_OK;

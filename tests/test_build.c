@@ -321,7 +321,10 @@ static void documentation(void)
               "sed -n '/^      awk/,/>renames/p' ssgi.h >five && sed 's/0[.]4/0.3/; s/0[.]5/0.4/' five >four && "
               "sed -s '/^   CHANGES in/,$d' ssgi.h ssgi_gl.h >both && for s in five four; do sh $s && "
               "sed -n 's|^s/..\\([A-Za-z_0-9]*\\)..*|\\1|p' renames.sed | { grep _ || true; } >old && "
-              "{ test ! -s old || ! grep -wnf old both; } || exit 1; done && "
+              "{ test ! -s old || ! grep -wnf old both; } || exit 1; done && sh five && "
+              "echo desc.gather.steps desc.gather.samples desc.gather.directions desc.gather.half | "
+              "sed -f renames.sed | grep -x 'desc.gather.samples desc.gather.directions desc.gather.slices "
+              "desc.gather.resolution' && sh four && "
               "echo '%s' | sed -f renames.sed | grep '^%s$'",
               "chain.desc.steps = SSGI_GL_WIDTH;", "chain.desc.gather.steps = SSGI_GL_PASS_THICKNESS;"),
           "CHANGES: %s", text);

@@ -90,14 +90,17 @@ static void conditions(void)
     static const struct { const char *text; int glsl;
     } none[] = { { "thn", 0 },
                  { "search == SLICE", 0 },
-                 { "half ==", 0 },
+                 { "resolution ==", 0 },
                  { "pass < SSDO", 0 },
-                 { "half", 1 },
-                 { "SSGI_HALF", 0 },
+                 { "resolution", 1 },
+                 { "SSGI_RESOLUTION", 0 },
                  { "SSGI_FADE == SSGI_FALLOFF_NONE", 1 },
                  { "SSGI_FADE == NONE", 1 },
                  { "SSGI_THN", 1 },
                  { "SSGI_FADE ==", 1 } };
+    for (int i = 0; ssgi_gl__limits[i].when; ++i)
+        CHECK(condition(ssgi_gl__limits[i].when, strchr(ssgi_gl__limits[i].when, 0), 0), "when %s",
+              ssgi_gl__limits[i].when);
     for (size_t i = 0; i < sizeof none / sizeof *none; ++i)
         CHECK(!condition(none[i].text, none[i].text + strlen(none[i].text), none[i].glsl), "%s is taken", none[i].text);
     t_note("%d conditions in %d entries", count, CODES);

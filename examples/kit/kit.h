@@ -63,6 +63,9 @@ int    kit_file_write(const char *path, const void *data, size_t size, kit_error
    digits in all; null if it is not finite. */
 void   kit_json_string(FILE *out, const char *text);
 void   kit_json_number(FILE *out, double v, int decimals);
+/* Prints the words of a text from `column` on, in lines of at most `most` characters, whose further ones begin at
+   `indent`. */
+void   kit_print_words(const char *text, int column, int indent, int most);
 /* For a program's start and end. open: a standard stream that is closed gets nothing else in its place; files beyond
    the limit of their size are errors.
    close: -1 when something that was printed is lost. */

@@ -306,6 +306,22 @@ static int utf8_length(const unsigned char *s)
     return 0;
 }
 
+void kit_print_words(const char *text, int column, int indent, int most)
+{
+    const char *between = "";
+    for (size_t n; *(text += strspn(text, " \n")); text += n) {
+        n = strcspn(text, " \n");
+        if (*between && column + 1 + (int)n > most) {
+            printf("\n%*s", indent, "");
+            column = indent;
+            between = "";
+        }
+        column += printf("%s%.*s", between, (int)n, text);
+        between = " ";
+    }
+    putchar('\n');
+}
+
 void kit_json_string(FILE *out, const char *text)
 {
     putc('"', out);

@@ -37,13 +37,11 @@ static int open_visibility(kit_making *m, const float picture[16])
 
 static void add_kernel(kit_making *m)
 {
-    const int sets = m->set->sets, samples = m->desc.gather.directions;
-    float *kernel = malloc(4 * (size_t)(sets * samples) * sizeof *kernel);
-    if (kernel)
-        ssgi_directions(kernel, m->desc.gather.uniform_directions ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE,
-            sets,
-                        samples, NULL);
-    m->run->kernel = kit_keep(m->run, kernel ? kit_texture(samples, sets, GL_RGBA32F, kernel) : 0);
+    const int sets = m->set->sets, directions = m->desc.gather.directions,
+              kind = m->desc.gather.uniform_directions ? SSGI_DIRECTIONS_UNIFORM : SSGI_DIRECTIONS_COSINE;
+    float *kernel = malloc(4 * (size_t)(sets * directions) * sizeof *kernel);
+    if (kernel) ssgi_directions(kernel, kind, sets, directions, NULL);
+    m->run->kernel = kit_keep(m->run, kernel ? kit_texture(directions, sets, GL_RGBA32F, kernel) : 0);
     free(kernel);
 }
 

@@ -187,15 +187,9 @@ static void __attribute__((format(printf, 1, 2))) add(const char *format, ...)
 
 static void print_item(void)
 {
-    int column = 1;
     while (item.length && strchr(": ", item.text[item.length - 1])) item.text[--item.length] = 0;
-    putchar('-');
-    for (const char *word = strtok(item.text, " \n"); word; word = strtok(NULL, " \n")) {
-        const int n = (int)strlen(word);
-        if (column + 1 + n > 120) column = printf("\n ") - 1;
-        column += printf(" %s", word);
-    }
-    putchar('\n');
+    printf("- ");
+    kit_print_words(item.text, 2, 2, 120);
     item.length = 0;
 }
 

@@ -398,21 +398,6 @@ static void list_words(char *out, size_t size, const kit_setting *s)
     }
 }
 
-/* A text at a column, from which it goes on in lines of at most 100 characters. */
-static void list_text(int column, const char *text)
-{
-    const int room = 100 - column;
-    for (int left = (int)strlen(text); left > room;) {
-        int n = room;
-        while (n && text[n] != ' ') --n;
-        if (!n) break;
-        printf("%.*s\n%*s", n, text, column, "");
-        text += n + 1;
-        left -= n + 1;
-    }
-    puts(text);
-}
-
 int render_list(const char *name, kit_error *err)
 {
     kit_method m;
@@ -423,13 +408,13 @@ int render_list(const char *name, kit_error *err)
         if (name && strcmp(name, m.name)) continue;
         found = 1;
         printf("%-12s ", m.name);
-        list_text(13, m.about);
+        kit_print_words(m.about, 13, 13, 100);
         for (int k = 0; name && kit_method_setting(&s, &m, k); ++k) {
             char values[160];
             if (s.choices) list_words(values, sizeof values, &s);
             else snprintf(values, sizeof values, "%g in %g..%g", s.value, s.least, s.most);
             printf("  %-21s %s\n%24s", s.key, values, "");
-            list_text(24, s.about);
+            kit_print_words(s.about, 24, 24, 100);
         }
     }
     if (name && !strcmp(name, "models"))
