@@ -155,6 +155,30 @@ static void manifest(void)
     works("python3 manifest.py");
 }
 
+/* A step with a compute stage has no other; its group and its images are those of its text. */
+static void manifest_of_compute(void)
+{
+    static const char *const check =
+        "import json, re\n"
+        "m = json.load(open('computed/manifest.json'))\n"
+        "c, = m['chains']\n"
+        "assert c['chain']['desc']['compute'] == 'BASIC' and len(c['steps']) == 3, c\n"
+        "for s in c['steps']:\n"
+        "    text = open('computed/' + s['files']['comp']).read()\n"
+        "    assert list(s['files']) == ['comp'] and s['group'] == [16, 4] and s['clear'] is None, s\n"
+        "    assert 'local_size_x = 16, local_size_y = 4' in text, s\n"
+        "    for o in s['outputs']:\n"
+        "        f = m['formats'][c['textures'][o['texture']]['format']]['name'].lower()\n"
+        "        layout = f\"layout(set = {o['set']}, binding = {o['binding']}, {f}) uniform\"\n"
+        "        assert o['set'] == 3 and re.search(re.escape(layout) + r' writeonly \\w+ ' + o['name'] + ';', text), o\n"
+        "g = json.load(open('drawn/manifest.json'))['chains'][0]['steps']\n"
+        "assert not any('group' in s or 'binding' in o for s in g for o in s['outputs'])\n";
+    if (!works("$G --chain hsao,compute=basic,group_width=16,group_height=4,output_set=3 --vulkan computed && "
+               "$G --chain hsao --vulkan drawn") || !has("python3")) return;
+    write_text("compute.py", check);
+    works("python3 compute.py");
+}
+
 /* A chain as one writes it, and what is wrong with one. */
 static void own_chain(void)
 {
@@ -199,7 +223,7 @@ static void wasm(void)
         "const ssgi = await load();\n"
         "const formatOf = f => ({ name: f.name, ...f.gl, bytes: f.bytes, vulkan: f.vulkan_number,\n"
         "                         vulkan_name: f.vulkan, webgpu: f.webgpu });\n"
-        "for (const folder of ['texts', 'others']) {\n"
+        "for (const folder of ['texts', 'others', 'computed']) {\n"
         "    const m = JSON.parse(read(folder + '/manifest.json', 'utf8'));\n"
         "    for (const v of m.variants) {\n"
         "        const desc = v.fetch ? { ...v.desc, fetch: m.fetch } : v.desc;\n"
@@ -221,6 +245,9 @@ static void wasm(void)
         "k.last ?? 0]));\n"
         "            deepEqual(step.outputs.map(k => [k.texture, k.slice, k.format]), said.outputs.map(k =>\n"
         "                [k.texture, k.slice, formatOf(m.formats[c.textures[k.texture].format])]));\n"
+        "            deepEqual(step.groups, said.group ? [1, 1] : [0, 0]);\n"
+        "            if (said.group) deepEqual(step.outputs.map(k => [k.set, k.binding]),\n"
+        "                                      said.outputs.map(k => [k.set, k.binding]));\n"
         "            deepEqual([step.size, step.frame, step.vertices, step.instances, step.blend[0] !== 0],\n"
         "                      [said.size, said.frame, said.vertices, said.instances, said.blend !== null]);\n"
         "        }\n"
@@ -255,6 +282,9 @@ static void wasm(void)
         "                         lights: { pass: 'LIGHTS', ...many }, width: 64, height: 64 });\n"
         "equal(all.length, 124);\n"
         "equal(all.at(-1).outputs[0].result, 'BOUNCE');\n"
+        "const computed = ssgi.chain('hsao,dialect=450,compute=ALL,group_width=16,group_height=4');\n"
+        "deepEqual(ssgi.steps({ ...computed, width: 101, height: 67 }).map(step => step.groups),\n"
+        "          [[4, 9], [4, 9], [7, 17]]);\n"
         "const { calls, works } = await import(process.argv[3] + '/tests/web-hostile.mjs');\n"
         "for (const [call, says] of calls({ load, Ssgi: ssgi.constructor }, ssgi)) {\n"
         "    const e = await Promise.resolve().then(call).then(() => null, e => e);\n"
@@ -271,7 +301,8 @@ static void wasm(void)
     free(bytes);
     write_text("blocks.c", blocks);
     write_text("wasm.mjs", script);
-    works("$G others 330 && gcc -I. blocks.c -o blocks -lm && ./blocks >frame.bin");
+    works("$G others 330 && $G --chain hsao,compute=basic,group_width=16,group_height=4,output_set=3 --vulkan computed"
+          " && gcc -I. blocks.c -o blocks -lm && ./blocks >frame.bin");
     works("node wasm.mjs $T/build/wasm $T");
 }
 
@@ -1168,6 +1199,7 @@ void test_tools(void)
     RUN("without OSMesa the default context is EGL's, and draws the same", without_osmesa);
     RUN("the library of GLSL as files: a room each, of GLSL alone", rooms_as_files);
     RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);
+    RUN("the manifest tells the group and the images of a compute stage", manifest_of_compute);
     RUN("a chain as one writes it is made in the languages named, or refused by its field", own_chain);
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);

@@ -120,7 +120,7 @@ cost_chain *work_chain(work *w, const char *name, kit_error *err)
 int work_add_chain(work *w, const char *text, kit_error *err)
 {
     ssgi_gl_chain chain;
-    return chain_parse(&chain, text, err) || work_add(w, text, &chain, err) ? -1 : 0;
+    return chain_parse(&chain, text, SSGI_GL_DIALECT_VULKAN, err) || work_add(w, text, &chain, err) ? -1 : 0;
 }
 
 int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *err)

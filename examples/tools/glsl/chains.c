@@ -1,5 +1,6 @@
 /* chains.c - the chains that are written, counted and checked, and their steps. Declared in chains.h. */
 #include "tools/glsl/chains.h"
+#include <stdio.h>
 #include <string.h>
 
 /* Beside the library's methods: what their settings bring, each alone. */
@@ -34,10 +35,14 @@ const char *chain_about(const char *name)
     return "";
 }
 
-int chain_parse(ssgi_gl_chain *chain, const char *text, kit_error *err)
+int chain_parse(ssgi_gl_chain *chain, const char *text, int dialect, kit_error *err)
 {
     const char *why = "";
-    if (ssgi_gl_chain_of(chain, text, &why) != SSGI_OK) return kit_fail(err, "--chain %s: %s", text, why);
+    char in[4096];                              /* not every dialect has every value of a field */
+    const int n = snprintf(in, sizeof in, "%s,dialect=%d", text, dialect);
+    if (n >= (int)sizeof in - 32) return kit_fail(err, "--chain: a chain of %d characters is too long", n);
+    if (strstr(text, "lights.")) snprintf(in + n, sizeof in - (size_t)n, ",lights.dialect=%d", dialect);
+    if (ssgi_gl_chain_of(chain, in, &why) != SSGI_OK) return kit_fail(err, "--chain %s: %s", text, why);
     chain->width = chain->height = 1;
     return 0;
 }

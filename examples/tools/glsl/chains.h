@@ -11,8 +11,8 @@ enum { MOST_STEPS = 128 }; /* With 8 layers and 4 extra cameras of 8 layers a ch
 const char *chain_at(int i);
 /* The sentence of a method; "" of other chains. */
 const char *chain_about(const char *name);
-/* ssgi_gl_chain_of, with width and height 1. */
-int chain_parse(ssgi_gl_chain *chain, const char *text, kit_error *err);
+/* ssgi_gl_chain_of in a dialect, with width and height 1. */
+int chain_parse(ssgi_gl_chain *chain, const char *text, int dialect, kit_error *err);
 /* Its steps in a dialect, which are all of MOST_STEPS; 0 and an error where there are none. */
 int chain_steps(ssgi_gl_step steps[MOST_STEPS], const ssgi_gl_chain *chain, int dialect, kit_error *err);
 

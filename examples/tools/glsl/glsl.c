@@ -5,7 +5,7 @@
          one field changed; in 450 two, too:
                                      FOLDER/hsao.450.thickness-slabs.half-first.frag
 
-   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag. Functions for
+   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag .comp. Functions for
    shaders of yours: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field); FOLDER/hsao.half-first.glsl
    (ssgi_gl_read reads what that pass wrote); FOLDER/sh4.glsl (ssgi_gl_sh(.., 4)), and so on; FOLDER/reflection.glsl
    (ssgi_gl_reflection). ssdo's default here is an environment map. translate.sh makes WGSL, HLSL and MSL of
@@ -134,7 +134,7 @@ static int write_named_chains(const char *folder, int dialect, kit_error *err)
     for (int i = 0; (name = chain_at(i)) != NULL; ++i) {
         ssgi_gl_chain chain;
         kit_error lacks = { "" };
-        if (chain_parse(&chain, name, err)
+        if (chain_parse(&chain, name, SSGI_GL_DIALECT_330, err)
             || write_chain(folder, name, chain_about(name), &chain, dialect, &lacks)) return -1;
     }
     return 0;
@@ -362,10 +362,10 @@ static int do_chains(int argc, char **argv, kit_error *err)
         ssgi_gl_chain chain;
         if (strcmp(argv[i], "--chain")) continue;
         const int all = !strcmp(text, "all");
-        if (!all && chain_parse(&chain, text, err)) return -1;
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
             kit_error lacks = { "" };
             if (!dialects[dialect]) continue;
+            if (!all && chain_parse(&chain, text, dialect, err)) return -1;
             if (all ? write_named_chains(folder, dialect, err)
                     : write_chain(folder, text, chain_about(text), &chain, dialect, &lacks)) return -1;
             if (*lacks.text) return kit_fail(err, "--chain %s: %s", text, lacks.text);

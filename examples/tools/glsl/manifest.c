@@ -194,15 +194,24 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
     fputs(", \"rows\": [", f);
     const int rows_count = ssgi_gl_reflect(&s->desc, io, SSGI_GL_MAX_IO);
     for (int i = 0; i < rows_count; ++i) fprintf(f, "%s%d", i ? ", " : "", row_number(&io[i]));
-    fputs("],\n    \"inputs\": [", f);
+    fputs("],\n    ", f);
+    if (s->groups[0]) {
+        const ssgi_gl_desc d = ssgi_gl_resolve(&s->desc);
+        fprintf(f, "\"group\": [%d, %d], ", d.shader.group_width, d.shader.group_height);
+    }
+    fputs("\"inputs\": [", f);
     for (int i = 0; i < s->inputs; ++i) {
         fputs(i ? ",\n      " : "\n      ", f);
         put_input(f, &s->input[i]);
     }
     fputs("],\n    \"outputs\": [", f);
-    for (int i = 0; i < s->outputs; ++i)
-        fprintf(f, "%s{ \"name\": \"%s\", \"location\": %d, \"texture\": %d, \"slice\": %d }", i ? ", " : "",
-                s->output[i].name, i, s->output[i].texture, s->output[i].slice);
+    for (int i = 0; i < s->outputs; ++i) {
+        const ssgi_gl_output *const o = &s->output[i];
+        fprintf(f, "%s{ \"name\": \"%s\", ", i ? ", " : "", o->name);
+        if (s->groups[0]) fprintf(f, "\"set\": %d, \"binding\": %d", o->set, o->binding);
+        else fprintf(f, "\"location\": %d", i);
+        fprintf(f, ", \"texture\": %d, \"slice\": %d }", o->texture, o->slice);
+    }
     fputs("] }", f);
 }
 
@@ -342,7 +351,10 @@ static const char *const about[] = {
     "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
     "meaning, SSGI_GL_YOUR_ without the prefix, else the number of a texture, as the last frame left it where last is "
     "1; binding, dimension and, where it is not 0, set are Vulkan's and WebGPU's, unit GL's. outputs: "
-    "texture -1: your picture; slice: the layer drawn into.",
+    "texture -1: your picture; slice: the layer drawn into. A step with a compute stage has a group, the width and "
+    "height of a group of invocations: dispatch as many groups as cover the size, width / group[0] x "
+    "height / group[1], rounded up. Each of its outputs is a storage image at set and binding; in GL binding is the "
+    "unit of the image.",
     "translated texts lie beside those of dialect vulkan: .spv, .wgsl, .hlsl, .msl behind a file's name. Constants "
     "with an offset other than 0 in rows are specialisation constants of that id, in WGSL overrides.",
     "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",

@@ -6,8 +6,8 @@
 #   hlsl    by spirv-cross: shader model 5.0, register t4 is binding 4
 #   msl     by spirv-cross: Metal 2.1, texture(4) is binding 4
 #
-# The last three have vertex and fragment stages, and their NDC's y points up: their vertex stages negate it, so that
-# row 0 of a target is what it is for Vulkan. For each a line says how many there are; what fails is named, status 1.
+# The last three have vertex, fragment and compute stages, and their NDC's y points up: their vertex stages negate it, so
+# that row 0 of a target is what it is for Vulkan. For each a line says how many there are; what fails is named, status 1.
 folder=$1
 tint=$(dirname "$0")/../../../build/tint/twgsl
 work=$(mktemp -d) || exit 2
@@ -30,19 +30,21 @@ compile() {                                 # TO FLAGS HOW MANY
     [ ! -t 2 ] || echo >&2
 }
 
-# The vertex and fragment stages with y up, compiled into a folder, once.
+# The vertex stages with y up, the fragment and the compute stages, compiled into a folder, once.
 turn() {                                    # TO FLAGS
     [ ! -e "$1" ] || return 0
     mkdir "$1"
-    for f in "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag; do
+    for f in "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag "$folder"/*.vulkan.*comp; do
+        [ -e "$f" ] || continue
         case $f in
-            *.frag) cp "$f" "$work" ;;
+            *.frag|*.comp) cp "$f" "$work" ;;
             *) grep -q gl_Position "$f" && sed 's/^\( *\)gl_Position = .*;$/&\n\1gl_Position.y = -gl_Position.y;/' \
                    "$f" >"$work/$(basename "$f")" ;;            # else tessellation follows, which these have not
         esac
     done
-    of=$(ls "$work"/*.vert "$work"/*.frag | wc -l)
-    ls "$work"/*.vert "$work"/*.frag | compile "$1" "$2" "$of"
+    find "$work" -maxdepth 1 -name '*.vert' -o -name '*.frag' -o -name '*.comp' >"$work/list"
+    of=$(wc -l <"$work/list")
+    compile "$1" "$2" "$of" <"$work/list"
 }
 
 count() {                                   # NAME ENDING OF
@@ -59,7 +61,7 @@ for target in "$@"; do
     case $target in
         spv)
             ls "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag "$folder"/*.vulkan.*tes[ce] "$folder"/*.vulkan.*geom \
-                2>/dev/null >"$work/list"
+                "$folder"/*.vulkan.*comp 2>/dev/null >"$work/list"
             compile "$folder" '' "$(wc -l <"$work/list")" <"$work/list"
             count 'SPIR-V' spv "$(wc -l <"$work/list")" ;;
         wgsl)

@@ -52,8 +52,10 @@ export interface Input {
 
 /** ssgi_gl_output */
 export interface Output {
-  name: string; texture: number; format: Format | 0; slices: number; slice: number; kept: number;
-  result: 'NONE' | 'LIGHT' | 'BOUNCE';
+  name: string; texture: number; format: Format | 0; slices: number; slice: number;
+  /** of a compute stage: those of the storage image, in GL `binding` is its unit */
+  set: number; binding: number;
+  kept: number; result: 'NONE' | 'LIGHT' | 'BOUNCE';
 }
 
 /** ssgi_gl_step: one draw */
@@ -62,6 +64,8 @@ export interface Step {
   outputs: Output[];
   frame: number; primitive: number; vertices: number; instances: number; blend: number[]; clear: number;
   clear_to: number;
+  /** of a compute stage: how many groups to dispatch across and down; else 0 */
+  groups: number[];
 }
 
 /** ssgi_hit */

@@ -525,9 +525,10 @@ export class Ssgi {
                 name: this.#string(this.#int(k + i.name)), type: this.#string(this.#int(k + i.type)),
                 meaning: meanings[this.#int(k + i.meaning)] ?? null, format: this.#format(this.#int(k + i.format)) })),
             outputs: of(s.outputs, at + step.output, this.#at.ssgi_gl_output, k => ({
-                ...this.#ints(k, o, ['texture', 'slices', 'slice', 'kept']), name: this.#string(this.#int(k + o.name)),
-                format: this.#format(this.#int(k + o.format)), result: results[this.#int(k + o.result)] })),
-            blend: of(3, at + step.blend, 4, k => this.#int(k)),
+                ...this.#ints(k, o, ['texture', 'slices', 'slice', 'set', 'binding', 'kept']),
+                name: this.#string(this.#int(k + o.name)), format: this.#format(this.#int(k + o.format)),
+                result: results[this.#int(k + o.result)] })),
+            blend: of(3, at + step.blend, 4, k => this.#int(k)), groups: of(2, at + step.groups, 4, k => this.#int(k)),
             clear_to: new DataView(this.#c.memory.buffer).getFloat32(at + step.clear_to, true)
         };
     }
