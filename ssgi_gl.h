@@ -225,7 +225,9 @@ typedef enum ssgi_gl_uniforms {
    are storage images of their names, and ssgi_gl_step.groups says how many groups of invocations to dispatch. It writes
    the same texels and tests whether an invocation lies in the image. 450, 310ES, 320ES and VULKAN have it, for passes
    that neither draw geometry nor leave texels out nor blend: not aof, surfels, dss, deinterleave, smooth and compose,
-   and without desc.filter.onto. Wait for the images between steps, in GL by
+   and without desc.filter.onto. The 6 images of packed coefficients of three sets are not in 310ES and 320ES, which
+   promise 4 (GL_MAX_COMPUTE_IMAGE_UNIFORMS); Vulkan and WebGPU promise 4, too, but most devices have more
+   (maxPerStageDescriptorStorageImages, maxStorageTexturesPerShaderStage). Wait for the images between steps, in GL by
    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
      ALL      formats as in targets. In Vulkan they need the feature shaderStorageImageExtendedFormats
      BASIC    formats that each Vulkan device and WebGPU can store, which GLES always has: RGBA8 instead of R8, R32F
@@ -6530,6 +6532,10 @@ static const char *const ssgi_gl__refusals[][2] = {
     { "compute && (pass == AOF || surfel_pass || pass == DEINTERLEAVE || pass == SMOOTH)",
       "desc.shader.compute: aof, surfels and dss draw geometry, deinterleave and smooth leave texels out: "
       "SSGI_GL_COMPUTE_NONE" },
+    { "compute && (dialect == 310ES || dialect == 320ES) && packed_coefficients && transfer && bands != 1 && "
+      "bands != 2 && ((pass == S3HO && !shaded) || (pass == BLUR && quantity == COEFFICIENTS))",
+      "desc.shader.compute: GLES has 4 images in a compute stage, and these coefficients are 6: "
+      "desc.light.packed_coefficients 0, desc.light.bands 1 or 2, or SSGI_GL_COMPUTE_NONE" },
     { "compute && (pass == COMPOSE || (onto && pass == BLUR && quantity == VISIBILITY))",
       "desc.shader.compute: blends nothing onto your picture (compose, desc.filter.onto): SSGI_GL_COMPUTE_NONE" },
     { "uniforms && dialect == VULKAN",

@@ -954,6 +954,12 @@ static const struct { const char *start, *desc; } rules[] = {
     { "desc.shader.uniforms:", "ssao,uniforms=loose,dialect=vulkan" },
     { "desc.shader.compute: needs", "ssao,compute=all" },
     { "desc.shader.compute: aof", "aof,compute=all,dialect=450" },
+    { "desc.shader.compute: GLES", "s3ho,compute=all,packed_coefficients=1,transfer=1,dialect=310es" },
+    { "desc.shader.compute: GLES",
+      "blur,compute=all,packed_coefficients=1,transfer=2,quantity=coefficients,bands=3,dialect=320es" },
+    { NULL, "s3ho,compute=all,packed_coefficients=1,transfer=1,dialect=450" },
+    { NULL, "s3ho,compute=all,packed_coefficients=1,transfer=1,bands=2,dialect=310es" },
+    { NULL, "s3ho,compute=all,packed_coefficients=1,transfer=1,shaded=1,dialect=310es" },
     { "desc.shader.compute: blends", "blur,compute=all,onto=multiply,dialect=450" },
     { "desc.pass:", "surfels,tessellate=1,dialect=vulkan" },
     /* What is not kept has as many vectors as it likes; what a pass does not look at is no matter. */
@@ -1022,6 +1028,25 @@ static void sentences(void)
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "preset %d of %s leaves a bad desc: %s", preset,
                   describe(&variant[v]), why);
         }
+}
+
+/* GLES promises 4 images in a compute stage. */
+static void images_of_gles(void)
+{
+    const int dialects[] = { SSGI_GL_DIALECT_310ES, SSGI_GL_DIALECT_320ES };
+    int most = 0;
+    for (int v = 0; v < 2 * variants; ++v) {
+        ssgi_gl_desc d = variant[v / 2];
+        ssgi_gl_io row[SSGI_GL_MAX_IO];
+        int images = 0;
+        d.shader.compute = SSGI_GL_COMPUTE_ALL;
+        d.shader.dialect = dialects[v % 2];
+        for (int i = 0, n = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); i < n; ++i)
+            images += row[i].kind == SSGI_GL_IO_OUTPUT;
+        CHECK(images <= 4, "%s: %d images", describe(&d), images);
+        if (images > most) most = images;
+    }
+    CHECK(most == 4, "the most images are %d", most);
 }
 
 /* A frame's refusals and defaults. */
@@ -1268,6 +1293,7 @@ void test_text(void)
     RUN("emit keeps snprintf's law at every capacity", law);
     RUN("the same desc gives the same bytes, under any locale", same_bytes);
     RUN("every bad field is named, and what was given stays untouched", sentences);
+    RUN("no compute stage of GLES has more than 4 images", images_of_gles);
     RUN("a bad frame is named and stays untouched, a good one has its defaults", frames);
     RUN("what is off leaves nothing: every name that a text declares is used, in functions that stand alone, too",
         closed);

@@ -169,8 +169,8 @@ static void manifest_of_compute(void)
         "    assert 'local_size_x = 16, local_size_y = 4' in text, s\n"
         "    for o in s['outputs']:\n"
         "        f = m['formats'][c['textures'][o['texture']]['format']]['name'].lower()\n"
-        "        layout = f\"layout(set = {o['set']}, binding = {o['binding']}, {f}) uniform\"\n"
-        "        assert o['set'] == 3 and re.search(re.escape(layout) + r' writeonly \\w+ ' + o['name'] + ';', text), o\n"
+        "        layout = f\"layout(set = {o['set']}, binding = {o['binding']}, {f}) uniform writeonly \"\n"
+        "        assert o['set'] == 3 and re.search(re.escape(layout) + r'\\w+ ' + o['name'] + ';', text), o\n"
         "g = json.load(open('drawn/manifest.json'))['chains'][0]['steps']\n"
         "assert not any('group' in s or 'binding' in o for s in g for o in s['outputs'])\n";
     if (!works("$G --chain hsao,compute=basic,group_width=16,group_height=4,output_set=3 --vulkan computed && "

@@ -5,8 +5,8 @@
          one field changed; in 450 two, too:
                                      FOLDER/hsao.450.thickness-slabs.half-first.frag
 
-   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag .comp. Functions for
-   shaders of yours: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field); FOLDER/hsao.half-first.glsl
+   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag .comp. Functions
+   for shaders of yours: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field); FOLDER/hsao.half-first.glsl
    (ssgi_gl_read reads what that pass wrote); FOLDER/sh4.glsl (ssgi_gl_sh(.., 4)), and so on; FOLDER/reflection.glsl
    (ssgi_gl_reflection). ssdo's default here is an environment map. translate.sh makes WGSL, HLSL and MSL of
    FOLDER/hsao.vulkan.frag and its like: make glsl WGSL=1.

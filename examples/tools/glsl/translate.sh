@@ -6,8 +6,9 @@
 #   hlsl    by spirv-cross: shader model 5.0, register t4 is binding 4
 #   msl     by spirv-cross: Metal 2.1, texture(4) is binding 4
 #
-# The last three have vertex, fragment and compute stages, and their NDC's y points up: their vertex stages negate it, so
-# that row 0 of a target is what it is for Vulkan. For each a line says how many there are; what fails is named, status 1.
+# The last three have vertex, fragment and compute stages, and their NDC's y points up: their vertex stages negate it,
+# so that row 0 of a target is what it is for Vulkan. For each a line says how many there are; what fails is named,
+# status 1.
 folder=$1
 tint=$(dirname "$0")/../../../build/tint/twgsl
 work=$(mktemp -d) || exit 2

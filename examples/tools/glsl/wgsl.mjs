@@ -16,7 +16,8 @@ const twgsl = await createRequire(import.meta.url)(resolve(`${tint}.cjs`))(resol
 for (const file of files) {
     said.length = 0;
     const text = twgsl.convertSpirV2WGSL(new Uint32Array(new Uint8Array(readFileSync(file)).buffer));
-    if (said.length || !/@(vertex|fragment|compute\s+@workgroup_size\([^)]*\))\s+fn main/.test(text)) {         /* text: of the last that was none worse */
+    if (said.length || !/@(vertex|fragment|compute\s+@workgroup_size\([^)]*\))\s+fn main/.test(text)) {
+        /* text: of the last that was none worse */
         process.stderr.write(`${file}: tint: ${said.join(' ').replace(/\s+/g, ' ') || 'no text'}\n`);
         process.exitCode = 1;
     } else writeFileSync(file.replace(/\.spv$/, '.wgsl'), compact(text));
