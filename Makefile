@@ -512,7 +512,7 @@ web-shots: web-deps web
 # Headless Chromium compiles the WGSL of every text on WebGPU's software adapter, makes pipelines of them, and draws the
 # page of examples/hosts.
 WEBGPU = build/webgpu-test
-webgpu-test: web-deps build/glsl-text
+webgpu-test: web-deps build/glsl-text build/capture
 	@lacks=; for p in node npm glslangValidator; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
 	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
 	rm -rf $(WEBGPU) && mkdir -p $(WEBGPU) && echo '<!doctype html><link rel="icon" href="data:,">' >$(WEBGPU)/empty.html && \

@@ -187,8 +187,12 @@ static void number_textures(const kit_run *run)
 static ssgi_gl_step step_of(const kit_pass *p)
 {
     ssgi_gl_step s = *p->step;
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
     s.desc = p->desc;
     s.desc.shader.dialect = SSGI_GL_DIALECT_VULKAN;
+    for (int k = 0, rows = ssgi_gl_reflect(&s.desc, io, SSGI_GL_MAX_IO); k < rows; ++k)
+        for (int o = 0; o < s.outputs && io[k].kind == SSGI_GL_IO_OUTPUT; ++o)
+            if (!strcmp(io[k].name, s.output[o].name)) s.output[o].binding = io[k].binding;
     for (int k = 0; k < s.outputs; ++k) s.output[k].texture = number_of(all.made, written(p, k));
     for (int k = 0; k < s.inputs; ++k) {
         if (s.input[k].meaning >= 0) continue;

@@ -88,6 +88,82 @@ await run('every step of every chain makes a pipeline of its formats, blending a
     check(!wrong.length, wrong.join('\n'));
 });
 
+/* ---- compute stages, of what build/capture wrote */
+
+/* Fragment and compute stages of a capture's chain, on the same inputs: how many bytes of the results differ. */
+const drawn = (capture, folders) => page.evaluate(async (capture, folders) => {
+    const { Passes, planOf } = await import('./webgpu.mjs');
+    const get = async (path, as) => (await fetch(path))[as]();
+    const { frames, textures } = await get(`${capture}/capture.json`, 'json');
+    const data = number => get(`${capture}/${number}.bin`, 'arrayBuffer');
+    const yours = await Promise.all(textures.map(async ({ webgpu: format, bytes, width, height, layers, data: at }) => {
+        const texture = device.createTexture({ format, size: [width, height, layers || 1], usage: 2 | 4 });
+        device.queue.writeTexture({ texture }, await data(at), { bytesPerRow: bytes * width, rowsPerImage: height },
+                                  [width, height, layers || 1]);
+        return texture;
+    }));
+    const read = async (texture, bytes) => {
+        const { width, height } = texture, bytesPerRow = Math.ceil(bytes * width / 256) * 256;
+        const buffer = device.createBuffer({ size: bytesPerRow * height, usage: 1 | 8 });
+        const encoder = device.createCommandEncoder();
+        encoder.copyTextureToBuffer({ texture }, { buffer, bytesPerRow }, [width, height]);
+        device.queue.submit([encoder.finish()]);
+        await buffer.mapAsync(1);
+        const all = new Uint8Array(buffer.getMappedRange());
+        return Array.from({ length: height }, (_, y) => all.slice(bytesPerRow * y, bytesPerRow * y + bytes * width));
+    };
+    const results = [];
+    for (const folder of folders) {
+        const manifest = await get(`${folder}/manifest.json`, 'json'), [chain] = manifest.chains, sizes = [], rows = [];
+        chain.steps.forEach(({ outputs }, i) => outputs.forEach(({ texture }) => {
+            sizes[texture] = [frames[0].steps[i].width, frames[0].steps[i].height];
+        }));
+        const plan = planOf(manifest, chain, sizes);
+        const passes = new Passes(device, plan, async ({ files }) => Object.fromEntries(await Promise.all(
+            Object.entries(files).map(async ([stage, name]) => [stage, device.createShaderModule({
+                code: await get(`${folder}/${name}.wgsl`, 'text') })]))));
+        await passes.ready;
+        for (const { steps, draws, results: made } of frames) {
+            const blocks = await Promise.all(steps.map(async ({ frame }) => {
+                const bytes = await data(frame);
+                const buffer = device.createBuffer({ size: bytes.byteLength, usage: 64 | 8 });
+                device.queue.writeBuffer(buffer, 0, bytes);
+                return buffer;
+            }));
+            for (let i = 0; i < draws; ++i) {
+                passes.turn();
+                const encoder = device.createCommandEncoder();
+                passes.draw(encoder, { block: number => blocks[number], yours: (number, input) =>
+                    yours[steps[number].yours[plan.steps[number].inputs.indexOf(input)]] ?? null });
+                device.queue.submit([encoder.finish()]);
+            }
+            for (const { texture, is } of made)
+                rows.push(...await read(passes.textures[texture][0], textures[is].bytes));
+        }
+        results.push({ rows, computes: plan.steps.every(({ group }) => group) });
+    }
+    const [is, wanted] = results.map(({ rows }) => rows.flatMap(row => [...row]));
+    let differ = 0;
+    is.forEach((byte, i) => { differ += byte !== wanted[i]; });
+    return { differ, bytes: is.length, values: new Set(is).size, computes: results.map(({ computes }) => computes) };
+}, capture, folders);
+
+for (const [name, ...set] of [['hsao', 'room', 'hsao'], ['ssdo', 'room', 'ssdo', 'set', 'bounce=solid-angle'],
+                              ['history', 'casters', 'hsao', 'set', 'history=1', 'frames', '4']])
+    await run(`compute stages write the bytes that fragment stages draw: ${name}`, async () => {
+        const folders = [`${name}-drawn`, `${name}-computed`];
+        folders.forEach((folder, i) => {
+            const env = { ...process.env, ...i && { KIT_COMPUTE: 'BASIC' } };
+            execFileSync('build/capture', [`${top}/${folder}`, ...set, 'size', '160x90'], { env });
+            execFileSync('sh', ['examples/tools/glsl/translate.sh', `${top}/${folder}`, 'wgsl'], { stdio: 'pipe' });
+        });
+        const { differ, bytes, values, computes } = await drawn(folders[0], folders);
+        note(`${differ} of ${bytes} bytes differ`);
+        check(!computes[0] && computes[1], `every step is a compute stage: ${computes}`);
+        check(bytes >= 4 * 160 * 90 && values > 100, `${bytes} bytes of ${values} values: nothing is drawn`);
+        check(!differ, `${differ} of ${bytes} bytes differ`);
+    });
+
 /* ---- the page */
 
 const has = program => spawnSync('sh', ['-c', `command -v ${program}`]).status === 0;

@@ -467,8 +467,8 @@ void   kit_pass_bind(GLuint program, const ssgi_gl_io *io, int rows);
 /* Gives a pass the rows of its desc, and its program where that is 0. */
 int    kit_pass_make(kit_pass *pass, kit_error *err);
 int    kit_dialect(void);
-/* SSGI_GL_COMPUTE_ALL where KIT_COMPUTE is in the environment, and the context is desktop GL: gathers and filters, but
-   not those of surfels and fields, are compute stages. */
+/* SSGI_GL_COMPUTE_ALL if KIT_COMPUTE is in the environment, _BASIC if it is "BASIC", and the context is desktop GL:
+   gathers and filters, but not those of surfels and fields, are compute stages. */
 int    kit_compute(void);
 
 #endif

@@ -5,7 +5,12 @@
 
 int kit_dialect(void) { return kit_gl_is_es() ? SSGI_GL_DIALECT_300ES : SSGI_GL_DIALECT_330; }
 
-int kit_compute(void) { return getenv("KIT_COMPUTE") && !kit_gl_is_es() ? SSGI_GL_COMPUTE_ALL : SSGI_GL_COMPUTE_NONE; }
+int kit_compute(void)
+{
+    const char *const asked = getenv("KIT_COMPUTE");
+    if (!asked || kit_gl_is_es()) return SSGI_GL_COMPUTE_NONE;
+    return strcmp(asked, "BASIC") ? SSGI_GL_COMPUTE_ALL : SSGI_GL_COMPUTE_BASIC;
+}
 
 /* The stages of a pass as a program, linked without captures; 0 on failure. */
 static GLuint link_stages(const ssgi_gl_desc *desc, kit_error *err)

@@ -18,8 +18,10 @@ export interface Plan {
   steps: {
     rows: { kind: string; slot: number; offset: number }[]; blend?: [string, string, string] | null;
     clear: number | null; vertices: number; instances: number; inputs: Input[];
-    outputs: { texture: number; slice: number; format: string }[];
-    code?: { vert: string; frag: string };
+    /** of a compute stage: the width and height of a group */
+    group?: [number, number];
+    outputs: { texture: number; slice: number; format: string; binding?: number }[];
+    code?: { vert: string; frag: string } | { comp: string };
   }[];
 }
 export type Step = Plan['steps'][number];
@@ -28,7 +30,8 @@ export type Step = Plan['steps'][number];
 export function planOf(manifest: object, chain: object, sizes?: number[][]): Plan;
 /** A plan of the package for pictures of this size. Throws where the chain draws surfels. */
 export function sized(plan: Plan, width: number, height: number): Plan;
-export function pipelineOf(step: Step, modules: { vert: OfWebGPU; frag: OfWebGPU }, stride?: number): OfWebGPU;
+export function pipelineOf(step: Step, modules: { vert?: OfWebGPU; frag?: OfWebGPU; comp?: OfWebGPU },
+                           stride?: number): OfWebGPU;
 
 /** A chain with its pipelines and textures. */
 export class Passes {

@@ -8,10 +8,12 @@
 
    A plan: textures: [{ format, size, slices, kept, result }]; steps: [{ rows, blend: [operation, source, destination]
    or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours, texture,
-   last }], outputs: [{ texture, slice, format }], code: { vert, frag } }], formats in WebGPU's words. */
+   last }], outputs: [{ texture, slice, format }], code: { vert, frag } }], formats in WebGPU's words. A step with a
+   compute stage has code: { comp } and group: [width, height]; its outputs have a binding, too. */
 
 const usage = 1 | 2 | 4 | 16;                       /* COPY_SRC, COPY_DST, TEXTURE_BINDING, RENDER_ATTACHMENT */
-const both = 3;                                     /* visible in VERTEX and FRAGMENT */
+const stored = 1 | 2 | 4 | 8;                       /* STORAGE_BINDING instead of RENDER_ATTACHMENT */
+const both = 3, compute = 4;                        /* visible in VERTEX and FRAGMENT; in COMPUTE */
 const of = (rows, kind) => rows.filter(row => row.kind === kind);
 
 /* A chain of a manifest as a plan without code; sizes: of its textures. */
@@ -22,9 +24,9 @@ export function planOf(manifest, chain, sizes = chain.textures.map(({ size }) =>
         name: chain.name,
         textures: chain.textures.map(({ slices, kept, result }, i) => ({
             format: formatOf(i), size: sizes[i], slices, kept, result })),
-        steps: chain.steps.map(({ files, rows, blend, clear, vertices, instances, inputs, outputs }) => ({
-            files, rows: rows.map(i => manifest.rows[i]), blend: blend?.webgpu, clear, vertices, instances, inputs,
-            outputs: outputs.map(output => ({ ...output, format: formatOf(output.texture) })) }))
+        steps: chain.steps.map(({ files, rows, blend, clear, vertices, instances, group, inputs, outputs }) => ({
+            files, rows: rows.map(i => manifest.rows[i]), blend: blend?.webgpu, clear, vertices, instances, group,
+            inputs, outputs: outputs.map(output => ({ ...output, format: formatOf(output.texture) })) }))
     };
 }
 
@@ -39,45 +41,51 @@ export function sized({ name, textures, steps }, width, height) {
 }
 
 /* What a pipeline needs besides its layout. stride: of the buffer of attributes, if there are some. */
-export function pipelineOf({ rows, blend, outputs }, modules, stride) {
+export function pipelineOf({ rows, blend, group, outputs }, modules, stride) {
+    const counts = of(rows, 'CONSTANT').filter(row => row.offset);
+    const constants = Object.fromEntries(counts.map(row => [row.offset, row.slot]));
+    if (group) return { compute: { module: modules.comp, constants } };
     const [operation, srcFactor, dstFactor] = blend ?? [], by = { operation, srcFactor, dstFactor };
     const blending = blend && { blend: { color: by, alpha: by } };
     const attributes = of(rows, 'ATTRIBUTE').map(({ slot }) => ({
         shaderLocation: slot, offset: 16 * slot, format: 'float32x4' }));
-    const counts = of(rows, 'CONSTANT').filter(row => row.offset);
     return {
         vertex: { module: modules.vert, buffers: attributes.length
             ? [{ arrayStride: stride ?? 16 * attributes.length, stepMode: 'instance', attributes }] : [] },
-        fragment: { module: modules.frag, constants: Object.fromEntries(counts.map(row => [row.offset, row.slot])),
+        fragment: { module: modules.frag, constants,
                     targets: outputs.map(({ format }) => ({ format, ...blending })) }
     };
 }
 
-function layoutOf(device, { rows, inputs }) {
-    const blocks = new Set(of(rows, 'PARAM').map(row => row.slot));
+function layoutOf(device, { rows, group, inputs, outputs }) {
+    const blocks = new Set(of(rows, 'PARAM').map(row => row.slot)), visibility = group ? compute : both;
     return device.createBindGroupLayout({ entries: [
-        ...[...blocks].map(binding => ({ binding, visibility: both, buffer: {} })),
+        ...[...blocks].map(binding => ({ binding, visibility, buffer: {} })),
         ...inputs.map(({ binding, sample, dimension }) => ({
-            binding, visibility: both, texture: { sampleType: sample, viewDimension: dimension } }))] });
+            binding, visibility, texture: { sampleType: sample, viewDimension: dimension } })),
+        ...(group ? outputs : []).map(({ binding, format }) => ({
+            binding, visibility, storageTexture: { access: 'write-only', format } }))] });
 }
 
 /* A chain with its pipelines and textures. */
 export class Passes {
-    #device; #draws = []; #results;
+    #device; #draws = []; #results; #usage;
     textures = [];                                  /* by number; of a kept one two: [0] is drawn into */
     ready;                                          /* a promise: its pipelines are there */
 
-    /* modulesOf: a step's { vert, frag }, or a promise of them; default: of the plan's code */
+    /* modulesOf: a step's { vert, frag } or { comp }, or a promise of them; default: of the plan's code */
     constructor(device, { steps, textures }, modulesOf = null, stride = undefined) {
         const moduleOf = code => device.createShaderModule({ code });
         this.#device = device;
+        this.#usage = steps.some(step => step.group) ? stored : usage;
         this.resize(textures);
         this.ready = Promise.all(steps.map(async step => {
             const layout = layoutOf(device, step), modules = modulesOf ? await modulesOf(step)
-                : { vert: moduleOf(step.code.vert), frag: moduleOf(step.code.frag) };
-            const pipeline = await device.createRenderPipelineAsync({
-                layout: device.createPipelineLayout({ bindGroupLayouts: [layout] }),
-                ...pipelineOf(step, modules, stride) });
+                : Object.fromEntries(Object.entries(step.code).map(([stage, code]) => [stage, moduleOf(code)]));
+            const needs = { layout: device.createPipelineLayout({ bindGroupLayouts: [layout] }),
+                            ...pipelineOf(step, modules, stride) };
+            const pipeline = await (step.group ? device.createComputePipelineAsync(needs)
+                                               : device.createRenderPipelineAsync(needs));
             return { step, layout, pipeline };
         })).then(draws => { this.#draws = draws; });
     }
@@ -87,7 +95,7 @@ export class Passes {
         this.free();
         this.#results = textures.map(({ result }) => result);
         this.textures = textures.map(({ format, size, slices, kept }) => Array.from({ length: kept ? 2 : 1 },
-            () => this.#device.createTexture({ format, size: [...size, slices || 1], usage })));
+            () => this.#device.createTexture({ format, size: [...size, slices || 1], usage: this.#usage })));
     }
 
     /* LIGHT or BOUNCE of the last frame; undefined: the chain has none. */
@@ -103,14 +111,22 @@ export class Passes {
                 const read = yours(number, input) ?? this.textures[texture].at(last ? -1 : 0);
                 entries.push({ binding, resource: read.createView({ dimension }) });
             }
-            const pass = encoder.beginRenderPass({ timestampWrites: stamps?.(number),
-                colorAttachments: step.outputs.map(({ texture, slice }) => ({
-                    view: this.textures[texture][0].createView({ dimension: '2d', baseArrayLayer: slice,
-                                                                 arrayLayerCount: 1 }),
-                    loadOp: step.clear === null ? 'load' : 'clear', storeOp: 'store',
+            const views = step.outputs.map(({ texture, slice }) => this.textures[texture][0].createView({
+                dimension: '2d', baseArrayLayer: slice, arrayLayerCount: 1 }));
+            if (step.group) step.outputs.forEach(({ binding }, k) => entries.push({ binding, resource: views[k] }));
+            const timestampWrites = stamps?.(number);
+            const pass = step.group ? encoder.beginComputePass({ timestampWrites }) : encoder.beginRenderPass({
+                timestampWrites, colorAttachments: views.map(view => ({
+                    view, loadOp: step.clear === null ? 'load' : 'clear', storeOp: 'store',
                     clearValue: Array(4).fill(step.clear ?? 0) })) });
             pass.setPipeline(pipeline);
             pass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
+            if (step.group) {
+                const { width, height } = this.textures[step.outputs[0].texture][0], [across, down] = step.group;
+                pass.dispatchWorkgroups(Math.ceil(width / across), Math.ceil(height / down));
+                pass.end();
+                return;
+            }
             if (surfels) pass.setVertexBuffer(0, surfels);
             pass.draw(step.vertices, instances?.(number) ?? step.instances);
             pass.end();
