@@ -1,8 +1,9 @@
 /* vulkan.cpp - a capture (capture.c) drawn by the host's own loop, examples/hosts/vulkan.cpp; for vulkan.sh.
 
-      build/vulkan-replay CAPTURE [TEXTS] [ID=VALUE ..]
+      build/vulkan-replay CAPTURE [TEXTS] [ID=VALUE ..] [out=FILE]
 
    TEXTS: the folder whose texts and manifest are drawn, unless the capture's own. ID=VALUE: a specialisation constant.
+   FILE: all results of all frames, as bytes, one after another.
    Prints the largest RMSE of all frames and results against the kit's. Status 1: the validation layer had a message, or
    a result shows nothing, so that nothing is compared. */
 #define main host_main
@@ -21,6 +22,7 @@ struct replay {
     chain c;
     std::map<int, image> textures; /* the capture's, by their numbers there */
     std::map<int, buffer> buffers; /* its data as blocks and surfels */
+    std::ofstream out;
     double worst = 0;
     bool flat = false;
 
@@ -68,6 +70,7 @@ struct replay {
         std::vector<float> is(texels * n), want(texels * n);
         memcpy(want.data(), data.data(), data.size());
         g.copy(c.textures.at(result["texture"]).front(), is.data(), data.size(), false);
+        if (out.is_open()) out.write((const char *)is.data(), (std::streamsize)data.size());
         double squares = 0;
         float least = INFINITY, most = -INFINITY;
         for (size_t i = 0; i < texels * n; ++i) {
@@ -94,17 +97,24 @@ struct replay {
 
 static int tested(const std::string &folder, std::string texts, int constants, char **constant)
 {
+    std::string out;
     std::vector<int> values;
     std::vector<vk::SpecializationMapEntry> entries;
     for (int i = 0; i < constants; ++i) {
+        if (!strncmp(constant[i], "out=", 4)) {
+            out = constant[i] + 4;
+            continue;
+        }
         entries.push_back({ (uint32_t)atoi(constant[i]), (uint32_t)(values.size() * sizeof(int)), sizeof(int) });
         values.push_back(atoi(strchr(constant[i], '=') + 1));
     }
     const vk::SpecializationInfo special(entries, vk::ArrayProxyNoTemporaries<const int>(values));
-    gpu g(true);
+    const json manifest = json::parse(file_of(texts + "/manifest.json"));
+    gpu g(true, 0, 2, manifest["chains"].at(0)["chain"]["desc"].contains("compute"));
     json capture = json::parse(file_of(folder + "/capture.json"));
     const int width = capture["width"], height = capture["height"];
-    replay r{ g, folder, std::move(capture), chain_of(g, texts, width, height, &special), {}, {} };
+    replay r{ g, folder, std::move(capture), chain_of(g, texts, width, height, &special), {}, {}, {} };
+    if (!out.empty()) r.out.open(out, std::ios::binary);
     r.play();
     printf("%.6f\n", r.worst);
     if (r.flat) std::cerr << "vulkan-replay: " << folder << ": a result shows nothing\n";
@@ -114,13 +124,13 @@ static int tested(const std::string &folder, std::string texts, int constants, c
 int main(int argc, char **argv)
 {
     if (argc < 2) {
-        std::cerr << "usage: vulkan-replay CAPTURE [TEXTS] [ID=VALUE ..]\n";
+        std::cerr << "usage: vulkan-replay CAPTURE [TEXTS] [ID=VALUE ..] [out=FILE]\n";
         return 2;
     }
     const int first = argc > 2 && !strchr(argv[2], '=') ? 3 : 2;
     for (int i = first; i < argc; ++i) {
         if (strchr(argv[i], '=')) continue;
-        std::cerr << "vulkan-replay: " << argv[i] << ": must be ID=VALUE\n";
+        std::cerr << "vulkan-replay: " << argv[i] << ": must be ID=VALUE or out=FILE\n";
         return 2;
     }
     try {

@@ -54,6 +54,27 @@ aof         casters aof set occluders=all,field_resolution=4,rays=16
 dss         casters dss
 END
 
+# Compute stages draw the bits of the fragment stages, from the same capture, in formats of ALL and of BASIC.
+while read -r name formats arguments; do
+    differ=none quiet=0 rmse=9
+    capture "$name" $arguments </dev/null && replay "$work/$name" "out=$work/$name.drawn" &&
+        KIT_COMPUTE=$formats capture "$name-compute" $arguments </dev/null &&
+        ls $work/$name-compute/*.comp >$work/log && [ ! -e $work/$name-compute/1-*.frag ] &&
+        replay "$work/$name" "$work/$name-compute" "out=$work/$name.computed" &&
+        differ=$(cmp -l "$work/$name.drawn" "$work/$name.computed" | wc -l)
+    bytes=$(wc -c <"$work/$name.computed")
+    echo "  $name: $formats: $arguments: $differ of $bytes bytes differ by compute stages"
+    check "$name: compute: $differ of $bytes bytes differ; no message: $quiet; RMSE $rmse" \
+        "$([ "$differ" = 0 ] && [ "$bytes" -gt 200000 ] && is "$rmse <= 0.0005 && $quiet")"
+done <<'END'
+hsao        ALL   room hsao
+hsao-full   BASIC room hsao set resolution=full
+history     ALL   casters hsao set history=1 frames 6
+ssdo        BASIC room ssdo
+bounce      ALL   room ssdo set bounce=solid-angle,history=1 frames 3
+s3ho        BASIC room s3ho
+END
+
 # The texts of 6 steps with the constant of 10 (constant_id 2) draw what those of 10 draw; without it they do not.
 capture steps-6 room hsao set samples=6 && capture steps-10 room hsao set samples=10
 replay $work/steps-10 $work/steps-6 2=10
@@ -76,6 +97,16 @@ build/glsl-text --chain hsao,depth=LINEAR,precise=1,dense=1,block_set=2,texture_
     build/vulkan $work/dense $work/frame.exr 45 0.5 $work/dense.exr validate && cmp $work/dense.exr $work/host.exr &&
     same=1 || same=0
 check "other sets and dense bindings draw the same picture, without a message" $same
+build/glsl-text --chain hsao,depth=LINEAR,precise=1,compute=ALL,group_width=16,group_height=4 --spv $work/group \
+    >$work/log && build/vulkan $work/group $work/frame.exr 45 0.5 $work/group.exr validate &&
+    cmp $work/group.exr $work/host.exr && same=1 || same=0
+check "compute stages of 16x4 groups draw the same picture, without a message" $same
+build/glsl-text --chain hsao,depth=LINEAR --spv $work/byte >$work/log &&
+    build/glsl-text --chain hsao,depth=LINEAR,compute=BASIC,group_width=5,group_height=3 --spv $work/basic >$work/log &&
+    build/vulkan $work/byte $work/frame.exr 45 0.5 $work/byte.exr &&
+    build/vulkan $work/basic $work/frame.exr 45 0.5 $work/basic.exr validate && cmp $work/byte.exr $work/basic.exr &&
+    same=1 || same=0
+check "RGBA8 and RGBA16F of SSGI_GL_COMPUTE_BASIC hold what R8 and RG16F do" $same
 refused() {    # FOLDER FRAME WORD [RADIUS]
     said=$(build/vulkan $work/$1 $work/$2 45 ${4:-0.5} $work/no.exr 2>&1)
     status=$?

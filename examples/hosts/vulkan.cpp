@@ -41,8 +41,8 @@ static step step_of(gpu &g, const std::string &folder, const json &manifest, cha
     s.instances = is["instances"];
     s.yours.resize(is["inputs"].size());
     program p{};
-    p.vertex = folder + "/" + is["files"]["vert"].get<std::string>() + ".spv";
-    p.fragment = folder + "/" + is["files"]["frag"].get<std::string>() + ".spv";
+    for (auto [stage, file] : { std::pair{ "vert", &p.vertex }, { "frag", &p.fragment }, { "comp", &p.compute } })
+        if (is["files"].contains(stage)) *file = folder + "/" + is["files"][stage].get<std::string>() + ".spv";
     p.constants = constants;
     p.width = s.width = (uint32_t)size[0], p.height = s.height = (uint32_t)size[1];
     for (const json &row : is["rows"]) p.attributes += manifest["rows"][row.get<size_t>()]["kind"] == "ATTRIBUTE";
@@ -76,13 +76,27 @@ static void draw_step(gpu &g, chain &c, step &s)
 {
     const vk::DescriptorBufferInfo block(s.frame, 0, VK_WHOLE_SIZE);
     std::vector<vk::WriteDescriptorSet> set{ { {}, 0, 0, vk::DescriptorType::eUniformBuffer, {}, block } };
-    std::vector<vk::DescriptorImageInfo> read(s.yours.size());
+    std::vector<vk::DescriptorImageInfo> read(s.yours.size()), written(s.is["outputs"].size());
     for (size_t k = 0; k < read.size(); ++k) {
         const json &in = s.is["inputs"][k];
         const std::vector<image> *made = in.contains("yours") ? nullptr : &c.textures[in["texture"]];
         const image *i = !made ? s.yours[k] : in["last"] == 1 ? &made->back() : &made->front();
         read[k] = vk::DescriptorImageInfo({}, *i->view, vk::ImageLayout::eGeneral);
         set.push_back({ {}, in["binding"], 0, vk::DescriptorType::eSampledImage, read[k] });
+    }
+    if (s.is.contains("group")) {
+        for (size_t k = 0; k < written.size(); ++k) {
+            const json &o = s.is["outputs"][k];
+            const image &i = c.textures[o["texture"]].front();
+            written[k] = vk::DescriptorImageInfo({}, *i.slice[o["slice"]], vk::ImageLayout::eGeneral);
+            set.push_back({ {}, o["binding"], 0, vk::DescriptorType::eStorageImage, written[k] });
+        }
+        const uint32_t group[2] = { s.is["group"][0], s.is["group"][1] };
+        g.barrier();
+        g.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *s.pipeline);
+        g.commands.pushDescriptorSetKHR(vk::PipelineBindPoint::eCompute, *g.layout, g.set, set);
+        g.commands.dispatch((s.width + group[0] - 1) / group[0], (s.height + group[1] - 1) / group[1], 1);
+        return;
     }
     vk::RenderingAttachmentInfo target({}, vk::ImageLayout::eGeneral);
     std::vector<vk::RenderingAttachmentInfo> targets;
@@ -147,7 +161,10 @@ int main(int argc, char **argv)
         const json manifest = json::parse(file_of(std::string(argv[1]) + "/manifest.json")),
                    desc = manifest["chains"].at(0)["chain"]["desc"];
         must(desc.value("block_set", 0) == desc.value("texture_set", 0), "one set is pushed: block_set=texture_set");
-        gpu g(argc > 6, desc.value("block_set", 0u), desc.value("dense", 0) ? 1 : 2);
+        const bool computes = desc.contains("compute");
+        must(!computes || (!desc.value("dense", 0) && desc.value("output_set", 0) == desc.value("block_set", 0)),
+             "one set of fixed bindings is pushed: compute with dense=0, output_set=block_set");
+        gpu g(argc > 6, desc.value("block_set", 0u), desc.value("dense", 0) ? 1 : 2, computes);
         picture(g, argv[1], frame.image, fovy, (float)atof(argv[4]), argv[5]);
     } catch (const std::exception &e) {
         std::cerr << "vulkan: " << e.what() << "\n";

@@ -45,7 +45,7 @@ struct buffer {                                             /* mapped as long as
 };
 
 struct program {
-    std::string vertex, fragment;                           /* files of SPIR-V */
+    std::string vertex, fragment, compute;                  /* files of SPIR-V: the last alone, or the first two */
     const vk::SpecializationInfo *constants;                /* NULL: those of the texts */
     uint32_t attributes;                                    /* vec4s an instance, one after another */
     bool blends;
@@ -73,14 +73,19 @@ struct gpu {
     vk::raii::Queue queue = nullptr;
     vk::raii::CommandPool pool = nullptr;
     vk::raii::CommandBuffer commands = nullptr;
-    /* for all: blocks from 0 on, then textures, in set `set`; sets before it have none */
+    /* for all: blocks from 0 on, then textures, then storage images, in set `set`; sets before it have none */
     vk::raii::DescriptorSetLayout bindings = nullptr, nothing = nullptr;
     vk::raii::PipelineLayout layout = nullptr;
     uint32_t set;
+    bool computes;
 
-    /* The first device. blocks: how many bindings come before those of textures. */
-    explicit gpu(bool validate, uint32_t set_ = 0, uint32_t blocks = 2) : set(set_)
+    /* The first device. blocks: how many bindings come before those of textures. computes: programs are compute stages,
+       which store into images. */
+    explicit gpu(bool validate, uint32_t set_ = 0, uint32_t blocks = 2, bool computes_ = false)
+        : set(set_), computes(computes_)
     {
+        const auto can = computes ? vk::QueueFlagBits::eCompute : vk::QueueFlagBits::eGraphics;
+        const auto stages = computes ? vk::ShaderStageFlagBits::eCompute : vk::ShaderStageFlagBits::eAllGraphics;
         using severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
         using type = vk::DebugUtilsMessageTypeFlagBitsEXT;
         const std::vector<const char *> layers(validate, "VK_LAYER_KHRONOS_validation");
@@ -93,19 +98,22 @@ struct gpu {
         physical = std::move(vk::raii::PhysicalDevices(instance).at(0));
         const auto families = physical.getQueueFamilyProperties();
         uint32_t family = 0;
-        while (!(families.at(family).queueFlags & vk::QueueFlagBits::eGraphics)) ++family;
+        while (!(families.at(family).queueFlags & can)) ++family;
         const float priority = 1;
         const vk::DeviceQueueCreateInfo queues({}, family, 1, &priority);
         vk::PhysicalDeviceVulkan13Features features;
+        vk::PhysicalDeviceFeatures formats;                 /* those of SSGI_GL_COMPUTE_ALL */
         features.dynamicRendering = true;
-        device = { physical, vk::DeviceCreateInfo({}, queues, {}, push, {}, &features) };
+        formats.shaderStorageImageExtendedFormats = computes;
+        device = { physical, vk::DeviceCreateInfo({}, queues, {}, push, &formats, &features) };
         queue = device.getQueue(family, 0);
         pool = { device, { vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family } };
         commands = std::move(vk::raii::CommandBuffers(device, { *pool, vk::CommandBufferLevel::ePrimary, 1 }).at(0));
         std::vector<vk::DescriptorSetLayoutBinding> all;
-        for (uint32_t i = 0; i < 18; ++i)
-            all.push_back({ i, i < blocks ? vk::DescriptorType::eUniformBuffer : vk::DescriptorType::eSampledImage, 1,
-                            vk::ShaderStageFlagBits::eAllGraphics });
+        using type_of = vk::DescriptorType;
+        for (uint32_t i = 0; i < (computes ? 24 : 18); ++i)
+            all.push_back({ i, i < blocks ? type_of::eUniformBuffer : i < 18 ? type_of::eSampledImage
+                                                                             : type_of::eStorageImage, 1, stages });
         bindings = { device, { vk::DescriptorSetLayoutCreateFlagBits::ePushDescriptorKHR, all } };
         nothing = { device, vk::DescriptorSetLayoutCreateInfo() };
         std::vector<vk::DescriptorSetLayout> sets(set, *nothing);
@@ -161,7 +169,8 @@ struct gpu {
     {
         using use = vk::ImageUsageFlagBits;
         using stage = vk::PipelineStageFlagBits;
-        const auto uses = use::eSampled | use::eColorAttachment | use::eTransferSrc | use::eTransferDst;
+        const auto written = computes ? use::eStorage : use::eColorAttachment;
+        const auto uses = use::eSampled | written | use::eTransferSrc | use::eTransferDst;
         const auto flat = vk::ImageViewType::e2D, array = vk::ImageViewType::e2DArray;
         const vk::ImageSubresourceRange all(vk::ImageAspectFlagBits::eColor, 0, 1, 0, layers ? layers : 1);
         image i;
@@ -200,9 +209,15 @@ struct gpu {
         return { device, { {}, code.size(), (const uint32_t *)(const void *)code.data() } };
     }
 
-    /* Triangles over the whole viewport. */
+    /* A compute stage, or triangles over the whole viewport. */
     vk::raii::Pipeline pipeline_of(const program &p)
     {
+        if (!p.compute.empty()) {
+            const auto module = module_of(p.compute);
+            const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
+                                                          p.constants);
+            return { device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout) };
+        }
         const auto vertex = module_of(p.vertex), fragment = module_of(p.fragment);
         const std::vector<vk::PipelineShaderStageCreateInfo> stages{
             { {}, vk::ShaderStageFlagBits::eVertex, *vertex, "main", p.constants },
@@ -266,15 +281,17 @@ static inline void write(gpu &g, image &i, const std::string &path)
 {
     const size_t width = i.width, pixels = width * i.height;
     const bool floats = i.format == vk::Format::eR32Sfloat, png = path.ends_with(".png");
+    const size_t apart = i.format == vk::Format::eR8G8B8A8Unorm ? 4 : 1;   /* bytes: SSGI_GL_COMPUTE_BASIC has RGBA8 */
     std::vector<float> texels(pixels);
     const uint8_t *bytes = (const uint8_t *)texels.data();
     kit_image picture;
     kit_error err = { "" };
-    must(floats || i.format == vk::Format::eR8Unorm, vk::to_string(i.format) + ": is not a picture's here");
+    must(floats || apart == 4 || i.format == vk::Format::eR8Unorm,
+         vk::to_string(i.format) + ": is not a picture's here");
     must(!kit_image_new(&picture, (int)width, (int)i.height, "Y", &err), err.text);
-    g.copy(i, texels.data(), pixels * (floats ? 4 : 1), false);
+    g.copy(i, texels.data(), pixels * (floats ? 4 : apart), false);
     for (size_t k = 0; k < pixels; ++k)
-        picture.data[pixels - (k / width + 1) * width + k % width] = floats ? texels[k] : (float)bytes[k] / 255;
+        picture.data[pixels - (k / width + 1) * width + k % width] = floats ? texels[k] : (float)bytes[k * apart] / 255;
     const int failed = png ? kit_png_write(&picture, "Y", 0, path.c_str(), &err)
                            : kit_exr_write(&picture, path.c_str(), &err);
     kit_image_free(&picture);
