@@ -101,10 +101,12 @@ typedef enum ssgi_result {
 
 /* ==== >>view =================================================================================================== */
 
-/* How a projection's clip z becomes window depth. */
+/* How a projection's clip z becomes window depth, and its clip y a row. */
 enum {
-    SSGI_CLIP_GL = 0, /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
-    SSGI_CLIP_ZERO,   /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
+    SSGI_CLIP_GL = 0,       /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
+    SSGI_CLIP_ZERO,         /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
+    SSGI_CLIP_ROWS_DOWN = 2 /* added to one of these: row 0 of your textures is at NDC y = 1, the top of the picture, as
+                               in D3D, Metal and WebGPU; otherwise it is at NDC y = -1 */
 };
 
 /* The camera parameters that the passes use. ssgi_view_from_projection makes them; they are read-only for you. */
@@ -129,7 +131,7 @@ typedef struct ssgi_view {
    third row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation included. Vectors that come back have
    z negated likewise.
      projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
-     clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
+     clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO, either one + SSGI_CLIP_ROWS_DOWN
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
    The view is computed in double and exact to float rounding. */
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
@@ -1326,7 +1328,8 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
     ssgi_view v;
     int perspective, fits = 1;
     SSGI__THERE2(view, projection);
-    SSGI__CHECK(clip == SSGI_CLIP_GL || clip == SSGI_CLIP_ZERO, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
+    SSGI__CHECK(clip >= SSGI_CLIP_GL && clip <= SSGI_CLIP_ZERO + SSGI_CLIP_ROWS_DOWN,
+                "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO, either one + SSGI_CLIP_ROWS_DOWN");
     SSGI__SIZE(width, height);
     SSGI__CHECK(ssgi__finites(projection, 16), "projection: must be finite");
     perspective = projection[11] != 0.0f;
@@ -1341,8 +1344,9 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         return ssgi__bad(why, "projection: elements 0 and 5 must not be 0");
     if (perspective ? projection[14] == 0.0f : projection[10] == 0.0f)
         return ssgi__bad(why, "projection: depth must vary (element 14, orthographic 10)");
-    scale = clip == SSGI_CLIP_GL ? 2.0 : 1.0; /* NDC z = scale * window depth + shift */
-    shift = clip == SSGI_CLIP_GL ? -1.0 : 0.0;
+    for (int i = 1; i < 16 && clip >= SSGI_CLIP_ROWS_DOWN; i += 4) m[i] = -m[i];
+    scale = clip % SSGI_CLIP_ROWS_DOWN == SSGI_CLIP_GL ? 2.0 : 1.0; /* NDC z = scale * window depth + shift */
+    shift = clip % SSGI_CLIP_ROWS_DOWN == SSGI_CLIP_GL ? -1.0 : 0.0;
     if (perspective ? m[11] > 0.0 : (m[14] - shift) / m[10] <= 0.0 && (m[14] - shift - scale) / m[10] <= 0.0)
         for (int i = 8; i < 12; ++i) m[i] = -m[i]; /* left-handed: with z negated it is right-handed */
 

@@ -185,8 +185,8 @@ typedef enum ssgi_gl_pass {
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
                  (WGSL: overrides): other slices, directions and samples need no other shader
      rows        viewport heights are positive. Give ssgi_view_from_projection SSGI_CLIP_ZERO and Vulkan's own matrix,
-                 whose y points down: row 0 is at NDC y = -1. Where the scene has row 0 at 1 (drawn with a negative
-                 height, or by D3D, Metal or WebGPU), negate the matrix's second row; in D3D, Metal and WebGPU also
+                 whose y points down: row 0 is at NDC y = -1. If the scene has row 0 at 1 (drawn with a negative
+                 height, or by D3D, Metal or WebGPU), add SSGI_CLIP_ROWS_DOWN; in D3D, Metal and WebGPU also
                  negate gl_Position.y in the vertex stages of aof and dss, as make glsl WGSL=1 does. Noise follows
                  rows: a picture whose rows run the other way differs from GL's by its noise
      blending    ssgi_gl_step.blend has GL's numbers. FUNC_ADD and FUNC_REVERSE_SUBTRACT are VK_BLEND_OP_ADD and

@@ -137,7 +137,7 @@ static const struct call {
     argument arguments[12];
 } calls[] = {
     { "ssgi_view_from_projection", view_of,
-      { OUT("view"), FLOATS("projection", projection, 16), COUNT("clip", 0, 1), COUNT("width", 1, 65536),
+      { OUT("view"), FLOATS("projection", projection, 16), COUNT("clip", 0, 3), COUNT("width", 1, 65536),
         COUNT("height", 1, 65536) } },
     { "ssgi_extra_camera", extra,
       { OUT("world_to_view"), SECOND("projection"), RIGID("main_world_to_view", rigid_), FLOATS("centre", up, 3),

@@ -98,6 +98,15 @@ static void views(void)
             continue;
         CHECK(view.orthographic == l.ortho && view.clear == nothing[0] && view.width == 1920 && view.height == 1080,
               "%s: orthographic %d, clear %g", l.name, view.orthographic, (double)view.clear);
+        /* Rows that run down are those of the matrix with a negated second row. */
+        ssgi_view down, turned;
+        memset(&down, 0, sizeof down);
+        memset(&turned, 1, sizeof turned);
+        ssgi_view_from_projection(&down, m, l.clip + SSGI_CLIP_ROWS_DOWN, 1920, 1080, NULL);
+        for (int k = 1; k < 16; k += 4) m[k] = -m[k];
+        ssgi_view_from_projection(&turned, m, l.clip, 1920, 1080, NULL);
+        for (int k = 1; k < 16; k += 4) m[k] = -m[k];
+        CHECK(!memcmp(&down, &turned, sizeof down), "%s: rows that run down", l.name);
         for (size_t k = 0; k < 3; ++k) {                 /* the matrix as given, in double; window depth as a float */
             const double z = depths[k], w = (double)m[11] * -z + (double)m[15],
                          deep = ((double)m[10] * -z + (double)m[14]) / w;

@@ -625,7 +625,6 @@ static int as_engines_have(kit_gbuffer *g, int way)
         return 0;
     if (way == OBLIQUE) oblique_plane(g->projection, (const double[4]) { 0.1, -0.2, -1, -0.05 });
     for (int k = 8; k < 12 && way == LEFT_HANDED; ++k) g->projection[k] = -was[k];
-    for (int k = 5; k < 10 && way == UPSIDE_DOWN; k += 4) g->projection[k] = -was[k];
     for (int i = 0; i < SEEN; ++i) {
         const int to = layer * SEEN + (way == UPSIDE_DOWN ? (SEEN_H - 1 - i / SEEN_W) * SEEN_W + i % SEEN_W : i);
         const double x = (2 * (i % SEEN_W + 0.5) / SEEN_W - 1 + (double)was[8]) / (double)was[0],
@@ -768,6 +767,15 @@ static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int w
         } else ok = ok && TRY(kit_pass_make(p, &err));
     }
     run.frame.slice = way == SLICED;
+    if (way == UPSIDE_DOWN) {
+        ssgi_view view;
+        ssgi_gl_frame turned;
+        ok = ok && CHECK(ssgi_view_from_projection(&view, g->projection, SSGI_CLIP_ZERO + SSGI_CLIP_ROWS_DOWN, SEEN_W,
+                                                   SEEN_H, NULL) == SSGI_OK, "a view with rows that run down");
+        ssgi_gl_frame_init(&turned, &view, 1, NULL);
+        memcpy(run.frame.project, turned.project, sizeof turned.project);
+        memcpy(run.frame.unproject, turned.unproject, sizeof turned.unproject);
+    }
     for (GLuint block = 0; block < 2 && way == LOOSE; ++block) glBindBufferBase(GL_UNIFORM_BUFFER, block, 0);
     ok = ok && drawn(out, &run);
     for (int k = 0; k < run.passes && otherwise; ++k) {

@@ -120,7 +120,8 @@ export class Ssgi {
   key(desc: Desc): bigint;
   preset(desc: Desc, preset: Preset): Desc;
   resolve(desc: Desc): Desc;
-  view(projection: ArrayLike<number>, width: number, height: number, clip?: 'GL' | 'ZERO'): Uint8Array;
+  view(projection: ArrayLike<number>, width: number, height: number,
+       clip?: 'GL' | 'ZERO' | 'GL_ROWS_DOWN' | 'ZERO_ROWS_DOWN'): Uint8Array;
   /** chain: with the values that suit it */
   frame(view: Uint8Array, radius: number, chain?: Partial<Chain> | null): Frame;
   history(frame: Frame, view: Uint8Array, worldToView: ArrayLike<number>, lastWorldToView: ArrayLike<number>): Frame;

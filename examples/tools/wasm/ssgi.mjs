@@ -22,7 +22,7 @@ const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER
                   'NOISE', 'KERNEL', 'ENVIRONMENT', 'IRRADIANCE', 'LIGHTS', 'SHADOW', 'OCCLUDERS', 'FIELDS', 'OBJECTS',
                   'MOTION', 'AMBIENT', 'CAP'];                                  /* SSGI_GL_YOUR_ .. */
 const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS', 'TILES', 'QUARTER'];
-const clips = ['GL', 'ZERO'], lamps = ['SUN', 'POINT', 'SPOT', 'VPL'];
+const clips = ['GL', 'ZERO', 'GL_ROWS_DOWN', 'ZERO_ROWS_DOWN'], lamps = ['SUN', 'POINT', 'SPOT', 'VPL'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
 const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
 const rowsMost = 16384;                                                         /* of a texture */
@@ -221,7 +221,8 @@ export class Ssgi {
         });
     }
 
-    /* An opaque ssgi_view. clip: 'GL', or 'ZERO' with EXT_clip_control's ZERO_TO_ONE. */
+    /* An opaque ssgi_view. clip: 'GL', or 'ZERO' with EXT_clip_control's ZERO_TO_ONE; with _ROWS_DOWN where row 0 of
+       textures is the top of the picture, as in WebGPU. */
     view(projection, width, height, clip = 'GL') {
         return this.#scope(() => {
             const view = this.#room(this.#at.ssgi_view), m = this.#floats('projection', projection, 16);

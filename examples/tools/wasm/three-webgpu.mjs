@@ -11,14 +11,13 @@
 
    Where three has fallen back to WebGL 2, and while node.camera is orthographic, the node is white, and node.lacks says
    why: nothing resets the copy of GL's state that three keeps there; these chains are of perspective. */
-import { DataTexture, ExternalTexture, Matrix4, NearestFilter, Node, NodeUpdateType } from 'three/webgpu';
+import { DataTexture, ExternalTexture, NearestFilter, Node, NodeUpdateType } from 'three/webgpu';
 import { passTexture } from 'three/tsl';
 import { loadOnce } from './ssgi.mjs';
 import { Passes, sized } from './webgpu.mjs';
 
 const fallen = 'renderer: must draw with WebGPU; WebGLRenderer has a pass in ssgi/three';
 const parallel = 'camera: must be one of perspective, as these chains are';
-const down = new Matrix4().makeScale(1, -1, 1);     /* rows of a picture run down in WebGPU */
 const isOrthographic = camera => camera.projectionMatrix.elements[11] === 0;
 const textureOf = input => (input.isTexture ? input : input.value);
 
@@ -110,7 +109,7 @@ export class OcclusionNode extends Node {
 
     #draw(raw) {
         const ssgi = this.#ssgi, device = this.#device, { camera } = this, encoder = device.createCommandEncoder();
-        const view = ssgi.view(down.clone().multiply(camera.projectionMatrix).elements, ...this.#size, 'ZERO');
+        const view = ssgi.view(camera.projectionMatrix.elements, ...this.#size, 'ZERO_ROWS_DOWN');
         const toView = Float32Array.from(camera.matrixWorldInverse.elements), block = ssgi.frame(view, this.radius);
         if (this.#history) {
             if (this.#last) ssgi.history(block, this.#last.view, toView, this.#last.toView);
