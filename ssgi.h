@@ -5132,6 +5132,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    SSGI_GL_HALF_FIRST -> SSGI_GL_RESOLUTION_HALF
    SSGI_GL_HALF_IN_TURN -> SSGI_GL_RESOLUTION_HALF_IN_TURN
    SSGI_GL_HALF_ -> SSGI_GL_RESOLUTION_  QUARTER QUARTER_IN_TURN
+   SSGI_GL_SIZE_ -> SSGI_GL_SCALE_  FULL HALF LEVELS TILES QUARTER
    SSGI_GL_TERMS_ -> SSGI_GL_MARCH_TERMS_  BOTH HORIZON NORMAL RAYS
    SSGI_GL_PASS_FIELD -> SSGI_GL_PASS_AOF
    SSGI_GL_PASS_SPLAT -> SSGI_GL_PASS_DSS
@@ -5153,6 +5154,11 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    desc.light.dimmed -> desc.light.occluded_emitters
    desc.light.lights -> desc.light.harmonic_lights
    desc.text. -> desc.shader.  dialect lines version fetch
+   step.size -> step.scale
+   output.slices -> output.layers
+   output.slice -> output.layer
+   frame.slice -> frame.layer
+   u_ssgi_slice -> u_ssgi_layer
    frame.history -> frame.history_frames
    u_ssgi_history -> u_ssgi_history_frames
    plan.resolution -> plan.field_resolution

@@ -178,12 +178,12 @@ typedef enum ssgi_gl_pass {
                  texture of unit u is at 2 + u of set desc.shader.texture_set, by default both 0; with desc.shader.dense
                  bindings have no gaps (ssgi_gl_io.set, .binding; ssgi_gl_input.set, .binding). A texture is a sampled
                  image, fetched without a sampler, in the layout GENERAL or SHADER_READ_ONLY_OPTIMAL. Its view is of an
-                 array where ssgi_gl_input.array says so, even of one slice, as that of emitters. With
+                 array where ssgi_gl_input.array says so, even of one layer, as that of emitters. With
                  desc.shader.compute output k is at 18 + k of set desc.shader.output_set. Bindings from 24 on and other
                  sets are yours. Depth is viewed by its depth aspect alone
      formats     ssgi_gl_format has Vulkan's and WebGPU's names
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
-                 (WGSL: overrides): other slices, directions and samples need no other shader
+                 (WGSL: overrides): other layers, directions and samples need no other shader
      rows        viewport heights are positive. Give ssgi_view_from_projection SSGI_CLIP_ZERO and Vulkan's own matrix,
                  whose y points down: row 0 is at NDC y = -1. Where the scene has row 0 at 1 (drawn with a negative
                  height, or by D3D, Metal or WebGPU), negate the matrix's second row; in D3D, Metal and WebGPU also
@@ -193,8 +193,8 @@ typedef enum ssgi_gl_pass {
                  VK_BLEND_OP_REVERSE_SUBTRACT; ZERO, ONE, DST_COLOR are VK_BLEND_FACTOR_ZERO, _ONE, _DST_COLOR. WebGPU
                  blends 32-bit floats only with the feature float32-blendable
      views       the image begins at frame.target in the textures that passes write, and at frame.origin in your
-                 textures, as a viewport of an atlas does. ssgi_gl_output.slices is the number of layers of a target;
-                 .slice is the layer that is drawn into, by a 2D view of it */
+                 textures, as a viewport of an atlas does. ssgi_gl_output.layers is the number of layers of a target;
+                 .layer is the layer that is drawn into, by a 2D view of it */
 typedef enum ssgi_gl_dialect {
     SSGI_GL_DIALECT_330 = 0,
     SSGI_GL_DIALECT_410,
@@ -528,7 +528,7 @@ typedef struct ssgi_gl_input_desc {
                           read: one surface, at one place in every pixel, so that planes stay planes. The other samples
                           of an edge get their own by ssgi_gl_read. Not in 300es */
     int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
-                          slice a view, as for stereo: frame.slice. The textures that passes write stay 2D, and each
+                          layer a view, as for stereo: frame.layer. The textures that passes write stay 2D, and each
                           view is drawn by itself, with a frame and a history of its own: passes are bound by pixels,
                           of which multiview saves none, and it would want arrays of all of them */
     int motion;        /* history, change_mask   1: t_ssgi_motion says where each pixel was, so that objects that move
@@ -982,20 +982,20 @@ typedef struct ssgi_gl_output {
     const char *name;             /* as in the shader: "o_ssgi_ao" */
     int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format; /* NULL: your picture's */
-    int slices, slice;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `slice` is drawn into */
+    int layers, layer;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `layer` is drawn into */
     int set, binding;             /* desc.shader.compute in VULKAN, WebGPU: those of the storage image, a 2D view; in GL
                                      binding is the unit of the image */
     int kept;                     /* 1: make two of it, which change places each frame: history */
     int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
 
-/* ssgi_gl_step.size */
+/* ssgi_gl_step.scale */
 enum {
-    SSGI_GL_SIZE_FULL = 0,
-    SSGI_GL_SIZE_HALF,   /* half of the image, rounded up */
-    SSGI_GL_SIZE_LEVELS, /* the size of all levels: ssgi_splat_size of what desc.gather.resolution leaves */
-    SSGI_GL_SIZE_TILES,  /* an eighth of the image, rounded up */
-    SSGI_GL_SIZE_QUARTER /* a quarter of the image, rounded up */
+    SSGI_GL_SCALE_FULL = 0,
+    SSGI_GL_SCALE_HALF,   /* half of the image, rounded up */
+    SSGI_GL_SCALE_LEVELS, /* the size of all levels: ssgi_splat_size of what desc.gather.resolution leaves */
+    SSGI_GL_SCALE_TILES,  /* an eighth of the image, rounded up */
+    SSGI_GL_SCALE_QUARTER /* a quarter of the image, rounded up */
 };
 
 /* One draw. ssgi_gl_emit of desc writes the shader of each stage. */
@@ -1004,7 +1004,7 @@ typedef struct ssgi_gl_step {
 
     /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at a quarter for QUARTER,
        at an eighth for TILES */
-    int size;          /* SSGI_GL_SIZE_FULL ..: which part of the image's size; the pixels are width and height */
+    int scale;         /* SSGI_GL_SCALE_FULL ..: its size over the image's; width and height are pixels */
     int width, height; /* [units: pixels] of that image: the viewport */
 
     /* ---- its inputs and outputs */
@@ -1143,7 +1143,7 @@ typedef struct ssgi_gl_frame {
                             default */
     float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float last_from[16];  /* and back: ssgi_gl_frame_history */
-    int32_t slice;        /* desc.input.array: the layer of your array textures */
+    int32_t layer;        /* desc.input.array: the layer of your array textures */
     float pace;           /* history   [limit: > 0] [default: 1]  how long the last frame took over how long this one
                             took: ssgi_gl_frame_time */
     int32_t last_size[2]; /* [units: pixels]  of the last frame's image: ssgi_gl_frame_history */
@@ -1214,9 +1214,9 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why);
 
-/* The extra cameras (desc.gather.views): the uniform block "ssgi_views", binding 1. Their hardware depths are slices of
-   one array texture, t_ssgi_views: layer j of camera v is slice v * view_layers + j, from texel 0,0 on. A camera may
-   use a part of its slice. */
+/* The extra cameras (desc.gather.views): the uniform block "ssgi_views", binding 1. Their hardware depths are in one
+   array texture, t_ssgi_views: depth layer j of camera v is its layer v * view_layers + j, from texel 0,0 on. A camera
+   may use a part of that layer. */
 typedef struct ssgi_gl_views {
     float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
     float from[4][16];  /* and back */
@@ -1318,7 +1318,7 @@ extern "C" {
    other. Conditions, of #if and #elif lines, too, are GLSL's. They name fields of the desc as macros, SSGI_THICKNESS
    for desc.gather.thickness, and their values, SSGI_THICKNESS_SLABS for SSGI_GL_THICKNESS_SLABS. The emitter resolves
    these lines, and none reaches the shader. Your textures are fetched at ", pixel + u_ssgi_origin, 0": where they are
-   arrays (desc.input.array) the emitter puts the slice in. make glsl-out DIR=d writes the library as files that
+   arrays (desc.input.array) the emitter puts the layer in. make glsl-out DIR=d writes the library as files that
    editors read. */
 typedef struct ssgi_gl__code {
     const char *name, *when;
@@ -1633,13 +1633,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    // It is the slope of the tangent, or where the near depth cuts the sphere.\n"
     "    vec2 squared = x * x + z * z;\n"
-    "    vec2 off = squared - radius * radius;\n"
-    "    vec2 tangent = sqrt(max(off, 0.0));\n"
+    "    vec2 outside = squared - radius * radius;\n"
+    "    vec2 tangent = sqrt(max(outside, 0.0));\n"
     "    vec2 rise = z * tangent - x * radius;\n"
     "    vec2 edge = mix((x + chord) / near, (x * tangent + z * radius) / rise,\n"
     "        greaterThan(rise * tangent, near * squared));\n"
     "    vec2 plane = x * facing - z * normal.z;\n"
-    "    vec2 wide = sqrt(max(off * normal.yx * normal.yx + plane * plane, 0.0));\n"
+    "    vec2 wide = sqrt(max(outside * normal.yx * normal.yx + plane * plane, 0.0));\n"
     "    vec2 disc = (x * z - radius * radius * normal.z * facing + radius * wide) / ((z - deep) * (z + deep));\n"
     "    vec2 away = z - deep > near ? facing + disc * normal.z : vec2(0.0);\n"
     "#endif\n"
@@ -2016,9 +2016,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float y = ssgi_run(pixel, ivec2(0, 1), P, plane, footprint, pixels);\n"
     "        x += ssgi_run(pixel, ivec2(-1, 0), P, plane, footprint, pixels);\n"
     "        y += ssgi_run(pixel, ivec2(0, -1), P, plane, footprint, pixels);\n"
-    "        vec4 off = vec4(0.0, ssgi_above_plane(plane, vec2(1.0, 0.0), z.y),\n"
+    "        vec4 height = vec4(0.0, ssgi_above_plane(plane, vec2(1.0, 0.0), z.y),\n"
     "            ssgi_above_plane(plane, vec2(0.0, 1.0), z.z), ssgi_above_plane(plane, vec2(1.0), z.w));\n"
-    "        bvec4 same = lessThan(abs(off), vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
+    "        bvec4 same = lessThan(abs(height), vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
     "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness_limit)), same);\n"
     "    }\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_WIDTH\n"
@@ -2934,21 +2934,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        0.125 * (1.0 + cosine) * (5.0 * cosine * cosine - 1.0));\n"
     "    means *= u_ssgi_window;\n"
     "#if SSGI_BANDS == 1\n"
-    "    float open = 1.0;\n"
+    "    float unoccluded = 1.0;\n"
     "#else\n"
-    "    float open = 0.25 * means.x;\n"
-    "    open += 0.5 * means.y;\n"
+    "    float unoccluded = 0.25 * means.x;\n"
+    "    unoccluded += 0.5 * means.y;\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    open += 0.3125 * means.z;\n"
+    "    unoccluded += 0.3125 * means.z;\n"
     "#endif\n"
     "    ssgi_sh y = ssgi_sh_zonal(means * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), light.way);\n"
     "    vec3 irradiance;\n"
     "    for (int channel = 0; channel < 3; ++channel)\n"
     "        irradiance[channel] = ssgi_sh_dot(y, coefficients.channel[channel % coefficients.channel.length()])\n"
-    "            / open;\n"
+    "            / unoccluded;\n"
     "#if SSGI_RESIDUAL\n"
-    "    float lost = max(dot(normal, light.way), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, normal)) / open;\n"
+    "    float lost = max(dot(normal, light.way), 0.0)\n"
+    "        - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, normal)) / unoccluded;\n"
     "    irradiance += ssgi_ambient(coefficients) * lost;\n"
     "#endif\n"
     "    return light.colour.xyz * irradiance * light.falloff;\n"
@@ -3706,9 +3707,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 offset = ssgi_on_ray(slice, side, tap.forms, tap.z);\n"
     "    // A texel is up to half a pixel off its slice. If distances left that out, slices that graze a plane\n"
     "    // would darken it in dots.\n"
-    "    float off = slice.deviation.x * pixel.x + (slice.deviation.y * pixel.y + slice.deviation.z);\n"
-    "    float up = offset.y - slice.deviation.w * off;\n"
-    "    float squared = offset.x * offset.x + (up * up + (off * off + slice.least));\n"
+    "    float off_slice = slice.deviation.x * pixel.x + (slice.deviation.y * pixel.y + slice.deviation.z);\n"
+    "    float up = offset.y - slice.deviation.w * off_slice;\n"
+    "    float squared = offset.x * offset.x + (up * up + (off_slice * off_slice + slice.least));\n"
     "    tap.distance = sqrt(squared);\n"
     "    tap.sine = clamp(offset.y * inversesqrt(squared), 0.0, 1.0);\n"
     "    tap.inside = way < side.edge;\n"
@@ -3782,8 +3783,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float share) {\n"
     "    // Its x is along the tangent plane, its y up.\n"
     "    vec2 elevation = vec2(way * walked.toward.x, walked.toward.y);\n"
-    "    vec2 lean = 2.0 * slice.half_normal;\n"
-    "    vec3 direction = slice.along * dot(elevation, lean.yx) + V * (elevation.y * lean.y - elevation.x * lean.x);\n"
+    "    vec2 tilt = 2.0 * slice.half_normal;\n"
+    "    vec3 direction = slice.along * dot(elevation, tilt.yx) + V * (elevation.y * tilt.y - elevation.x * tilt.x);\n"
     "    direction *= inversesqrt(max(dot(direction, direction), 1e-24));\n"
     "    share *= walked.share;\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
@@ -4865,8 +4866,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ivec2 offset = along << ssgi_shift();\n"
     "        if (i == 0 || !ssgi_inside(pixel + offset)) continue;\n"
     "        float depth = ssgi_depth(pixel + offset);\n"
-    "        float off = abs(ssgi_above_plane(plane, vec2(offset), depth)) * near;\n"
-    "        float weight = max(1.0 - off, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
+    "        float height = abs(ssgi_above_plane(plane, vec2(offset), depth)) * near;\n"
+    "        float weight = max(1.0 - height, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
     "#if SSGI_FILTER_NORMALS\n"
     "        if (weight > 0.0)\n"
     "            weight *= max(dot(normal, ssgi_normal(pixel + offset,\n"
@@ -4923,12 +4924,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) return;\n"
     "    vec4 sum = ssgi_sum_levels(texel, z);\n"
     "    vec3 normal = transpose(u_ssgi_rotation) * ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z));\n"
-    "    vec3 open = ssgi_irradiance_map(normal, 0);\n"
+    "    vec3 unoccluded = ssgi_irradiance_map(normal, 0);\n"
     "    vec3 dark = sum.xyz * ssgi_saturate_form(sum.w);\n"
     "#if SSGI_RESTORE\n"
-    "    o_ssgi_light.xyz = max(1.0 - dark / max(open, 1e-9), 0.0);\n"
+    "    o_ssgi_light.xyz = max(1.0 - dark / max(unoccluded, 1e-9), 0.0);\n"
     "#else\n"
-    "    o_ssgi_light.xyz = max(open - dark, 0.0);\n"
+    "    o_ssgi_light.xyz = max(unoccluded - dark, 0.0);\n"
     "#endif\n"
     "#if SSGI_SPAN\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_light, ivec2(gl_FragCoord.xy), 0).xyz;\n"
@@ -5085,11 +5086,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    .4451, but mixes surfaces. The scenes are those of SSGI_STEEP. Frames average its noise, so that history takes it
    closer the more it has: over four moves by seed its first eight frames deviate by .0038 over the truth's with .02
    throughout, .0030 with .3 over the frames, .0028 with .6. */
-{ "SSGI_HALF_OFF", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
-    "const float SSGI_HALF_OFF = 0.1; // a texel so far off the plane, squared, has half of its weight\n" },
+{ "SSGI_HALF_HEIGHT", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
+    "const float SSGI_HALF_HEIGHT = 0.1; // a texel so far off the plane, squared, has half of its weight\n" },
 
-{ "SSGI_HALF_OFF", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "const float SSGI_HALF_OFF = 0.3; // over frames\n" },
+{ "SSGI_HALF_HEIGHT", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
+    "const float SSGI_HALF_HEIGHT = 0.3; // over frames\n" },
 
 /* From five frames on the filter needs no more than the four texels next to a pixel: from three on it deviates by a
    third more (as above). Counts are whole where a camera stands, so that rounding must not decide. */
@@ -5135,14 +5136,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
     "// How much a neighbour counts, the less the farther it is off the plane. offset: how many pixels away pixel is.\n"
     "float ssgi_blur_weight(ssgi_blurred centre, ivec2 pixel, vec2 offset, float z) {\n"
-    "    float off = ssgi_above_plane(centre.plane, offset, z);\n"
+    "    float height = ssgi_above_plane(centre.plane, offset, z);\n"
     "#if SSGI_RESOLUTION && SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    float weight = 1.0 / (SSGI_HALF_OFF / centre.frames + off * off);\n"
+    "    float weight = 1.0 / (SSGI_HALF_HEIGHT / centre.frames + height * height);\n"
     "#elif SSGI_RESOLUTION\n"
-    "    float weight = 1.0 / (SSGI_HALF_OFF + off * off);\n"
+    "    float weight = 1.0 / (SSGI_HALF_HEIGHT + height * height);\n"
     "#else\n"
     "    const float least = 1.0 / SSGI_STEEP;\n"
-    "    float weight = max((1.0 + least) / (1.0 + SSGI_STEEP * off * off) - least, 0.0);\n"
+    "    float weight = max((1.0 + least) / (1.0 + SSGI_STEEP * height * height) - least, 0.0);\n"
     "#endif\n"
     "#if SSGI_FILTER_NORMALS\n"
     "    weight *= max(dot(centre.normal, ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z))), 1e-3);\n"
@@ -5406,13 +5407,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 normal) { // the place need not be a pixel's centre\n"
     "    ssgi_blurred centre;\n"
     "    z = ssgi_own_depth(z);\n"
-    "    vec2 off = fract(pixel) - 0.5;\n"
+    "    vec2 offset = fract(pixel) - 0.5;\n"
     "    centre.z = z;\n"
     "    centre.normal = ssgi_view_normal(normal);\n"
     "    centre.P = ssgi_position(pixel, z);\n"
     "    centre.footprint = ssgi_footprint(z);\n"
     "    centre.plane = ssgi_plane(centre.P, centre.normal) / (SSGI_OFF * u_ssgi_radius + centre.footprint);\n"
-    "    centre = ssgi_beside(centre, -off);\n"
+    "    centre = ssgi_beside(centre, -offset);\n"
     "#if !SSGI_RESOLUTION && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
     "    centre.now = vec4(0.0); // Nothing reads it here.\n"
     "#endif\n"
@@ -5723,11 +5724,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_filtered filtered = ssgi_filter(pixel, centre);\n"
     "    vec4 now = vec4(filtered.light.xyz / filtered.light.w, centre.z);\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
-    "    float open = 1.0;\n"
+    "    float unoccluded = 1.0;\n"
     "#elif SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
-    "    float open = 0.0;\n"
+    "    float unoccluded = 0.0;\n"
     "#endif\n"
-    "    ssgi_kept kept = ssgi_kept(vec4(vec3(open), centre.z), vec2(open, 1.0));\n"
+    "    ssgi_kept kept = ssgi_kept(vec4(vec3(unoccluded), centre.z), vec2(unoccluded, 1.0));\n"
     "    if (centre.z < SSGI_FAR && filtered.light.w > 0.0 && ssgi_finite(now)) {\n"
     "        kept = ssgi_averaged(now, ssgi_deviation(filtered, ssgi_grey(now)), frames, last);\n"
     "    }\n"
@@ -5985,7 +5986,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(window, "vec4", "a band"),
     SSGI_GL__ROW_FRAME(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
     SSGI_GL__ROW_FRAME(last_from, "mat4", "and back"),
-    SSGI_GL__ROW_FRAME(slice, "int", "of your textures"),
+    SSGI_GL__ROW_FRAME(layer, "int", "of your textures"),
     SSGI_GL__ROW_FRAME(pace, "float", ""),
     SSGI_GL__ROW_FRAME(last_size, "ivec2", "pixels"),
     SSGI_GL__ROW_FRAME(jitter, "vec2", "pixels"),
@@ -6003,14 +6004,14 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                        "RGBA16F, RGB10_A2, RG16F .. as desc.input.normal says, NEAREST"),
     SSGI_GL__ROW_TEXTURE("depth", 0, "multisampled", "sampler2DMS", "hardware depth or R32F view depth: sample 0"),
     SSGI_GL__ROW_TEXTURE("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.input.normal says: sample 0"),
-    SSGI_GL__ROW_TEXTURE("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
-    SSGI_GL__ROW_TEXTURE("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("normal", 1, "receiver", "sampler2DArray", "normals of depth layer i + 2, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("layers", 2, NULL, "sampler2DArray", "depth layer i + 2, as t_ssgi_depth, NEAREST"),
     SSGI_GL__ROW_TEXTURE("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
     SSGI_GL__ROW_TEXTURE("views", 4, NULL, "sampler2DArray",
-                         "hardware depth, slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__ROW_TEXTURE("emitters", 5, NULL, "usampler2DArray", "RG32UI: of pass emitters, a slice a layer, NEAREST"),
+                         "hardware depth, array layer camera * view_layers + layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("emitters", 5, NULL, "usampler2DArray", "RG32UI: of pass emitters, by depth layer, NEAREST"),
     SSGI_GL__ROW_TEXTURE("view_emitters", 6, NULL, "usampler2DArray",
-                         "RG32UI: slice camera * view_layers + layer, NEAREST"),
+                         "RG32UI: array layer camera * view_layers + layer, NEAREST"),
     SSGI_GL__ROW_TEXTURE("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
     SSGI_GL__ROW_TEXTURE("environment", 8, NULL, "sampler2D",
                          "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
@@ -6026,7 +6027,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("last_bounce", 10, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: the bounce of the last frame"),
     SSGI_GL__ROW_YOURS("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
     SSGI_GL__ROW_YOURS("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
-    SSGI_GL__ROW_TEXTURE("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
+    SSGI_GL__ROW_TEXTURE("albedo", 13, "receiver", "sampler2DArray", "albedos of depth layer i + 2, NEAREST"),
     SSGI_GL__ROW_YOURS("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
     SSGI_GL__ROW_YOURS("back", 13, "thickness != SLABS", "sampler2D",
                        "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
@@ -6037,7 +6038,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("thickness", 2, NULL, "usampler2D", "RGBA32UI, half size, NEAREST: of pass thickness"),
     SSGI_GL__ROW_YOURS("objects", 3, NULL, "usampler2D",
                        "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
-    SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
+    SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a field a layer"),
     SSGI_GL__ROW_TEXTURE("cap", 5, NULL, "sampler2D", "R32F or R16F, any size, NEAREST: ssgi_cap_table"),
     SSGI_GL__ROW_TEXTURE("interleaved", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: of pass interleave"),
     SSGI_GL__ROW_TEXTURE("levels", 3, NULL, "sampler2D",
@@ -6150,12 +6151,12 @@ enum {
 };
 
 enum {
-    SSGI_GL__SIZE_FULL = SSGI_GL_SIZE_FULL,
-    SSGI_GL__SIZE_HALF = SSGI_GL_SIZE_HALF,
-    SSGI_GL__SIZE_LEVELS = SSGI_GL_SIZE_LEVELS,
-    SSGI_GL__SIZE_TILES = SSGI_GL_SIZE_TILES,
-    SSGI_GL__SIZE_QUARTER = SSGI_GL_SIZE_QUARTER,
-    SSGI_GL__SIZE_CHOSEN /* as desc.gather.resolution says */
+    SSGI_GL__SCALE_FULL = SSGI_GL_SCALE_FULL,
+    SSGI_GL__SCALE_HALF = SSGI_GL_SCALE_HALF,
+    SSGI_GL__SCALE_LEVELS = SSGI_GL_SCALE_LEVELS,
+    SSGI_GL__SCALE_TILES = SSGI_GL_SCALE_TILES,
+    SSGI_GL__SCALE_QUARTER = SSGI_GL_SCALE_QUARTER,
+    SSGI_GL__SCALE_CHOSEN /* as desc.gather.resolution says */
 };
 
 enum {
@@ -6175,7 +6176,7 @@ enum {
 enum {
     SSGI_GL__TEXTURE_NEW = 0, /* each of its outputs has a texture of its own */
     SSGI_GL__TEXTURE_KEPT,    /* each has two, which change places from frame to frame */
-    SSGI_GL__TEXTURE_SLICE    /* its output is a slice of one texture, which all passes of its name share */
+    SSGI_GL__TEXTURE_LAYER    /* its output is a layer of one texture, which all passes of its name share */
 };
 
 /* The main function of a pass's fragment stage where `when`, a condition as in #if lines, holds (NULL: always). */
@@ -6186,14 +6187,14 @@ typedef struct ssgi_gl__variant {
 typedef struct ssgi_gl__pass {
     int pass;
     const char *name;
-    signed char chain, search, thickness, preset, size, draw, blend, texture; /* columns */
-    ssgi_gl__variant variant[3];                                              /* the last are empty */
+    signed char chain, search, thickness, preset, scale, draw, blend, texture; /* columns */
+    ssgi_gl__variant variant[3];                                               /* the last are empty */
 } ssgi_gl__pass;
 
 /* clang-format off */
-#define SSGI_GL__PASS(pass, name, chain, search, thickness, preset, size, draw, blend, texture) \
+#define SSGI_GL__PASS(pass, name, chain, search, thickness, preset, scale, draw, blend, texture) \
     SSGI_GL_PASS_##pass, name, SSGI_GL__CHAIN_##chain, SSGI_GL__SEARCH_##search, SSGI_GL__THICKNESS_##thickness, \
-    SSGI_GL__PRESET_##preset, SSGI_GL__SIZE_##size, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
+    SSGI_GL__PRESET_##preset, SSGI_GL__SCALE_##scale, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
     SSGI_GL__TEXTURE_##texture
 
 /* The main functions of the other stages, by the column draw; second, with desc.surfel.tessellate. */
@@ -6206,7 +6207,7 @@ static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
 
 /* The outputs of a pass are those that its main functions name, as inputs are: their rows are in >>rows. */
 static const ssgi_gl__pass ssgi_gl__passes[] = {
-    /*                              chain     search  thickness preset  size    draw     blend    texture */
+    /*                              chain     search  thickness preset  scale   draw     blend    texture */
     { SSGI_GL__PASS(SSAO, "ssao",   FILTERED, POINTS, READ,     SSAO,   CHOSEN, IMAGE,   ONTO,     NEW),
       { { NULL, "main_occlusion" } } },
     { SSGI_GL__PASS(HSAO, "hsao",   FILTERED, CHOSEN, READ,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
@@ -6218,7 +6219,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
         { "shaded", "main_s3ho_shaded" } } },
     { SSGI_GL__PASS(LIGHTS, "lights",   NONE, POINTS, READ,     LIGHTS, FULL,   IMAGE,   ONTO,     NEW),
       { { NULL, "main_lights" } } },
-    { SSGI_GL__PASS(EMITTERS, "emitters", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     SLICE),
+    { SSGI_GL__PASS(EMITTERS, "emitters", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     LAYER),
       { { NULL, "main_emitters" } } },
     { SSGI_GL__PASS(SHADE, "shade", NONE,     NONE,   NONE,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
       { { "shading != BENT", "main_shade" },
@@ -6521,7 +6522,7 @@ static const char *const ssgi_gl__refusals[][2] = {
       "desc.input.multisampled: not in SSGI_GL_DIALECT_300ES, nor with desc.input.array or desc.light.receiver: "
       "resolve to plain textures" },
     { "array && (layers > 1 || receiver)",
-      "desc.input.array: hidden layers (desc.gather.layers, .receiver) are slices themselves" },
+      "desc.input.array: hidden layers (desc.gather.layers, .receiver) are array layers themselves" },
     { "receiver && normal == FROM_DEPTH", "desc.light.receiver: hidden layers need their normals" },
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_DIALECT_VULKAN ssgi_surfels makes them on the CPU" },
@@ -6820,15 +6821,15 @@ static const ssgi_gl__field *ssgi_gl__field_named(const char *word, size_t lengt
    conditions themselves, of the desc as given. */
 static const struct {
     const char *name, *when;
-    signed char search, thickness, size; /* -1: any */
+    signed char search, thickness, scale; /* -1: any */
 } ssgi_gl__facts[] = {
     { "searches", NULL, SSGI_GL__SEARCH_CHOSEN, -1, -1 },
     { "has_points", NULL, SSGI_GL__SEARCH_POINTS, -1, -1 },
     { "occludes", NULL, -1, SSGI_GL__THICKNESS_READ, -1 },
     { "measures", NULL, -1, SSGI_GL__THICKNESS_MEASURED, -1 },
-    { "at_half", NULL, -1, -1, SSGI_GL__SIZE_HALF },
-    { "at_any", NULL, -1, -1, SSGI_GL__SIZE_CHOSEN },
-    { "at_levels", NULL, -1, -1, SSGI_GL__SIZE_LEVELS },
+    { "at_half", NULL, -1, -1, SSGI_GL__SCALE_HALF },
+    { "at_any", NULL, -1, -1, SSGI_GL__SCALE_CHOSEN },
+    { "at_levels", NULL, -1, -1, SSGI_GL__SCALE_LEVELS },
     { "any_size", "at_any || at_levels", -1, -1, -1 },
     /* Its depths are those of t_ssgi_thickness. */
     { "measured", "occludes && thickness > SOLID && (thickness == WIDTH || search == SLICES)", -1, -1, -1 },
@@ -6856,10 +6857,10 @@ static int ssgi_gl__fact(const char *word, size_t length, const ssgi_gl_desc *d)
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(d->pass);
     for (int i = 0; i < SSGI_GL__FACTS; ++i) {
         const int search = ssgi_gl__facts[i].search, thickness = ssgi_gl__facts[i].thickness,
-                  size = ssgi_gl__facts[i].size;
+                  scale = ssgi_gl__facts[i].scale;
         if (!ssgi_gl__is(ssgi_gl__facts[i].name, word, length)) continue;
         return (search < 0 || search == row->search) && (thickness < 0 || thickness == row->thickness)
-            && (size < 0 || size == row->size) && ssgi_gl__holds(ssgi_gl__facts[i].when, d);
+            && (scale < 0 || scale == row->scale) && ssgi_gl__holds(ssgi_gl__facts[i].when, d);
     }
     return -1;
 }
@@ -7031,10 +7032,10 @@ typedef struct ssgi_gl__stage {
 /* How many pixels of the image a texel of a pass's targets stands for, in a row: 1, 2, 4 or 8. d: resolved. */
 static int ssgi_gl__part(const ssgi_gl_desc *d)
 {
-    const int size = ssgi_gl__pass_of(d->pass)->size;
-    if (size == SSGI_GL__SIZE_TILES) return 8;
-    if (size == SSGI_GL__SIZE_HALF) return 2;
-    if (size == SSGI_GL__SIZE_FULL || !d->gather.resolution) return 1;
+    const int scale = ssgi_gl__pass_of(d->pass)->scale;
+    if (scale == SSGI_GL__SCALE_TILES) return 8;
+    if (scale == SSGI_GL__SCALE_HALF) return 2;
+    if (scale == SSGI_GL__SCALE_FULL || !d->gather.resolution) return 1;
     return d->gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? 4 : 2;
 }
 
@@ -7042,7 +7043,7 @@ static int ssgi_gl__part(const ssgi_gl_desc *d)
    levels, which has its textures for itself, are harmless. */
 static const char *ssgi_gl__reads_of_compute(const ssgi_gl_desc *d)
 {
-    const int levels = ssgi_gl__pass_of(d->pass)->size == SSGI_GL__SIZE_LEVELS;
+    const int levels = ssgi_gl__pass_of(d->pass)->scale == SSGI_GL__SCALE_LEVELS;
     return d->shader.compute && !levels ? "u_ssgi_size u_ssgi_target" : "";
 }
 
@@ -7069,7 +7070,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     for (int i = SSGI_GL__ROWS - 1; i >= 0; --i) {
         const ssgi_gl__row *row = &ssgi_gl__rows[i];
         stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0) && ssgi_gl__holds(row->when, d);
-        if (d->input.array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
+        if (d->input.array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_layer", 12, 1);
     }
     stage->fetch = (unsigned char)(names.custom << decodes);
 }
@@ -7294,7 +7295,7 @@ static void ssgi_gl__put_words(ssgi_gl__text *t, const char *s, size_t length, c
     }
 }
 
-/* Prints a line of a kept function; where your textures are arrays (desc.input.array) it fetches them from a slice. */
+/* Prints a line of a kept function; where your textures are arrays (desc.input.array) it fetches them from a layer. */
 static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t length, const ssgi_gl_desc *d, int place[2])
 {
     static const char flat[] = ", pixel + u_ssgi_origin"; /* A slice is put in where ", 0" follows. */
@@ -7310,7 +7311,7 @@ static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t lengt
             ssgi_gl__put_words(t, line, part, &d->shader, place);
         else ssgi_gl__put(t, line, part);
         if (part == length) break;
-        ssgi_gl__print(t, ", ivec3(pixel + u_ssgi_origin, u_ssgi_slice)");
+        ssgi_gl__print(t, ", ivec3(pixel + u_ssgi_origin, u_ssgi_layer)");
         length -= part + sizeof flat - 1;
         line = yours + sizeof flat - 1;
         yours = NULL;
@@ -7693,14 +7694,14 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise,
 /* Sets where a step draws: the image's size in its targets. d: resolved. */
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
-    const int column = ssgi_gl__pass_of(d->pass)->size;
+    const int column = ssgi_gl__pass_of(d->pass)->scale;
     const int part = ssgi_gl__part(d);
-    const int chosen = part == 4 ? SSGI_GL__SIZE_QUARTER : part == 2 ? SSGI_GL__SIZE_HALF : SSGI_GL__SIZE_FULL;
-    const int size = column != SSGI_GL__SIZE_CHOSEN ? column : chosen;
-    s->size = size;
+    const int chosen = part == 4 ? SSGI_GL__SCALE_QUARTER : part == 2 ? SSGI_GL__SCALE_HALF : SSGI_GL__SCALE_FULL;
+    const int scale = column != SSGI_GL__SCALE_CHOSEN ? column : chosen;
+    s->scale = scale;
     s->width = (chain->width + part - 1) / part;
     s->height = (chain->height + part - 1) / part;
-    if (size == SSGI_GL__SIZE_LEVELS) {
+    if (scale == SSGI_GL__SCALE_LEVELS) {
         int level[2] = { 0, 0 };
         ssgi_splat_size(level, s->width, s->height, d->surfel.levels, NULL);
         s->width = level[0];
@@ -7780,7 +7781,7 @@ static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_
     out->set = row->set;
     out->binding = row->binding;
     out->kept = texture == SSGI_GL__TEXTURE_KEPT && !(d->light.restore && !strcmp(row->name, "o_ssgi_light"));
-    if (texture == SSGI_GL__TEXTURE_SLICE) return; /* ssgi_gl__send gives it its number. */
+    if (texture == SSGI_GL__TEXTURE_LAYER) return; /* ssgi_gl__send gives it its number. */
     out->texture = d->filter.onto ? -1 : b->textures++;
     b->picture |= d->filter.onto != SSGI_GL_ONTO_NONE;
     *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
@@ -7901,7 +7902,7 @@ static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc
     return d;
 }
 
-/* Adds pass emitters for a layer of a camera (-1: the main one), which writes a slice of its camera's texture. */
+/* Adds pass emitters for a layer of a camera (-1: the main one), which writes a layer of its camera's texture. */
 static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, ssgi_gl_radiance radiance)
 {
     const ssgi_gl_desc *const of = &b->chain->desc;
@@ -7915,8 +7916,8 @@ static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, ssgi_gl_radi
     out = ssgi_gl__add(b, &d, SSGI_GL_PASS_EMITTERS, camera < 0 ? 0 : 2 + 2 * camera)->output;
     if (*held < 0) *held = b->textures++;
     out->texture = *held;
-    out->slices = camera < 0 ? slices : of->gather.views * slices;
-    out->slice = camera < 0 ? layer : camera * slices + layer;
+    out->layers = camera < 0 ? slices : of->gather.views * slices;
+    out->layer = camera < 0 ? layer : camera * slices + layer;
 }
 
 /* Adds the steps of the light that reaches a layer of a camera directly. Returns its texture; -1: there is none. */

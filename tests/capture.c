@@ -160,7 +160,7 @@ static int is_captured(const kit_pass *p) { return !p->aside && p->desc.pass != 
 
 static GLuint written(const kit_pass *p, int output)
 {
-    return p->step->output[output].slices ? p->slices : p->target[output];
+    return p->step->output[output].layers ? p->slices : p->target[output];
 }
 
 static int number_of(const GLuint *textures, GLuint texture)

@@ -183,7 +183,7 @@ static void names(void)
                       || strcmp(ssgi_gl__rows[r].io.name, ssgi_gl__rows[k].io.name),
                   "texture %s has two units", ssgi_gl__rows[r].io.name);
     for (int r = 0; r < ROWS; ++r)         /* the emitter names one itself: see >>library */
-        CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_slice"), "row %s: nothing can name it",
+        CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_layer"), "row %s: nothing can name it",
               ssgi_gl__rows[r].io.name);
     for (int r = 0; r < ROWS; ++r) {       /* a texture of yours is where the emitter would put a slice in */
         char at[80];

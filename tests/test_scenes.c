@@ -767,7 +767,7 @@ static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int w
             ok = ok && TRY(!(p->program = kit_pass_program(&p->desc, &err)));
         } else ok = ok && TRY(kit_pass_make(p, &err));
     }
-    run.frame.slice = way == SLICED;
+    run.frame.layer = way == SLICED;
     for (GLuint block = 0; block < 2 && way == LOOSE; ++block) glBindBufferBase(GL_UNIFORM_BUFFER, block, 0);
     ok = ok && drawn(out, &run);
     for (int k = 0; k < run.passes && otherwise; ++k) {

@@ -49,11 +49,11 @@ static int opened(host *h, const ssgi_gl_chain *chain)
             const ssgi_gl_output *o = &s->output[k];
             attachments[k] = GL_COLOR_ATTACHMENT0 + (GLenum)k;
             for (int j = 0; o->texture >= 0 && j <= o->kept && !h->made[o->texture][j]; ++j)
-                h->made[o->texture][j] = keep(h, o->slices ? kit_texture_array(s->width, s->height, o->slices,
+                h->made[o->texture][j] = keep(h, o->layers ? kit_texture_array(s->width, s->height, o->layers,
                                                                              o->format->internal, NULL)
                                                          : kit_texture(s->width, s->height, o->format->internal, NULL));
-            if (o->slices)
-                glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments[k], h->made[o->texture][0], 0, o->slice);
+            if (o->layers)
+                glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments[k], h->made[o->texture][0], 0, o->layer);
             else
                 glFramebufferTexture2D(GL_FRAMEBUFFER, attachments[k], GL_TEXTURE_2D,
                                        o->texture < 0 ? h->picture : h->made[o->texture][0], 0);
@@ -180,7 +180,7 @@ static void nothing_wrong(const host *h, const char *of)
             units[h->step[i].input[k].unit] = bound(read_by(h, &h->step[i].input[k]), h->step[i].input[k].target);
         for (int k = 0; k < h->step[i].outputs; ++k) {
             const ssgi_gl_output *o = &h->step[i].output[k];
-            targets[k] = bound(h->made[o->texture][0], o->slices ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
+            targets[k] = bound(h->made[o->texture][0], o->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
         }
         CHECK(!glGetTexLevelParameteriv || !ssgi_gl_step_check(why, sizeof why, &h->step[i], units, targets), "%s: %s",
               of, why);
@@ -663,7 +663,7 @@ static void eyes(void)
             nothing_wrong(&alone[eye], "an eye");
             if (!eye_frame(&frame, &g[k][eye], k ? &g[k - 1][eye] : NULL, scene.radius, k)) return;
             draw(&alone[eye], &frame);
-            frame.slice = eye;
+            frame.layer = eye;
             draw(&layers[eye], &frame);
             if (!CHECK(!kit_texture_read(written_by(&alone[eye]), w, h, 4, want)
                            && !kit_texture_read(written_by(&layers[eye]), W, H, 4, got), "no result"))

@@ -26,10 +26,10 @@ static step step_of(gpu &g, const std::string &folder, const json &manifest, cha
                     int height, const vk::SpecializationInfo *constants)
 {
     int size[2] = { width, height };
-    if (is["size"] == "HALF") size[0] = (width + 1) / 2, size[1] = (height + 1) / 2;
-    if (is["size"] == "QUARTER") size[0] = (width + 3) / 4, size[1] = (height + 3) / 4;
-    if (is["size"] == "TILES") size[0] = (width + 7) / 8, size[1] = (height + 7) / 8;
-    if (is["size"] == "LEVELS") {
+    if (is["scale"] == "HALF") size[0] = (width + 1) / 2, size[1] = (height + 1) / 2;
+    if (is["scale"] == "QUARTER") size[0] = (width + 3) / 4, size[1] = (height + 3) / 4;
+    if (is["scale"] == "TILES") size[0] = (width + 7) / 8, size[1] = (height + 7) / 8;
+    if (is["scale"] == "LEVELS") {
         const int levels = c.is["chain"]["desc"].value("levels", manifest["defaults"]["dss"]["levels"].get<int>());
         const auto gathered = c.is["chain"]["desc"].value("resolution", std::string());
         const int part = gathered.empty() ? 1 : gathered[0] == 'Q' ? 4 : 2;
@@ -55,7 +55,7 @@ static step step_of(gpu &g, const std::string &folder, const json &manifest, cha
         const json &t = c.is["textures"][o["texture"].get<size_t>()];
         std::vector<image> &made = c.textures[o["texture"]];
         p.targets.push_back(manifest["formats"][t["format"].get<size_t>()]["vulkan_number"].get<vk::Format>());
-        while (made.size() <= t["kept"]) made.push_back(g.image_of(p.targets.back(), s.width, s.height, t["slices"]));
+        while (made.size() <= t["kept"]) made.push_back(g.image_of(p.targets.back(), s.width, s.height, t["layers"]));
     }
     s.pipeline = g.pipeline_of(p);
     return s;
@@ -89,7 +89,7 @@ static void draw_step(gpu &g, chain &c, step &s)
     target.loadOp = s.is["clear"].is_null() ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eClear;
     if (!s.is["clear"].is_null()) target.clearValue.color.float32.fill(s.is["clear"]);
     for (const json &o : s.is["outputs"]) {
-        target.imageView = *c.textures[o["texture"]].front().slice[o["slice"]];
+        target.imageView = *c.textures[o["texture"]].front().slice[o["layer"]];
         targets.push_back(target);
     }
     g.barrier();

@@ -112,8 +112,8 @@ static void bind_inputs(const kit_run *run, const kit_pass *p)
 
 int kit_step_part(const ssgi_gl_step *step)
 {
-    return step->size == SSGI_GL_SIZE_TILES ? 8 : step->size == SSGI_GL_SIZE_QUARTER ? 4
-                                              : step->size == SSGI_GL_SIZE_HALF      ? 2
+    return step->scale == SSGI_GL_SCALE_TILES ? 8 : step->scale == SSGI_GL_SCALE_QUARTER ? 4
+                                              : step->scale == SSGI_GL_SCALE_HALF      ? 2
                                                                                      : 1;
 }
 
@@ -125,7 +125,7 @@ static void bind_targets(const kit_run *run, const kit_pass *p)
     const int part = kit_step_part(step);
     /* surfels: any complete one, which a context without a surface has not */
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);
-    if (step->size == SSGI_GL_SIZE_LEVELS) glViewport(0, 0, p->width, p->height);
+    if (step->scale == SSGI_GL_SCALE_LEVELS) glViewport(0, 0, p->width, p->height);
     else glViewport(f->target[0] / part, f->target[1] / part, (f->size[0] + part - 1) / part,
                     (f->size[1] + part - 1) / part);
     if (!p->box[2]) return;
@@ -163,7 +163,7 @@ static void dispatch(const kit_pass *p)
 {
     const ssgi_gl_output *o = p->step->output;
     for (int i = 0; i < p->step->outputs; ++i)
-        glBindImageTexture((GLuint)o[i].binding, o[i].slices ? p->slices : p->target[i], 0, GL_FALSE, o[i].slice,
+        glBindImageTexture((GLuint)o[i].binding, o[i].layers ? p->slices : p->target[i], 0, GL_FALSE, o[i].layer,
                            GL_WRITE_ONLY, o[i].format->internal);
     glDispatchCompute((GLuint)p->step->groups[0], (GLuint)p->step->groups[1], 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);

@@ -63,7 +63,7 @@ static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
         const kit_pass *p = &run->pass[i];
         const int result = draws(p, run->light) || draws(p, run->bounce) || draws(p, run->joint);
         const int all = !p->target[0] || p->gbuffer != run->gbuffer || p->desc.pass == SSGI_GL_PASS_THICKNESS
-                     || p->step->size == SSGI_GL_SIZE_TILES;
+                     || p->step->scale == SSGI_GL_SCALE_TILES;
         rim[i] = all ? ALL : result ? 0 : -1;
     }
     while (changed) {

@@ -126,12 +126,12 @@ static int add_targets(kit_making *m, kit_pass *p, GLuint textures[])
         const GLenum format = o->format->internal;
         GLuint *made = &textures[o->texture];
         attachment[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
-        if (o->slices) {
+        if (o->layers) {
             if (!*made)
-                *made = kit_keep(run, kit_texture_array(widest->viewport[2], widest->viewport[3], o->slices, format,
+                *made = kit_keep(run, kit_texture_array(widest->viewport[2], widest->viewport[3], o->layers, format,
                                                         NULL));
             p->slices = *made;
-            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment[i], *made, 0, o->slice);
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment[i], *made, 0, o->layer);
             continue;
         }
         *made = p->target[i] = kit_keep(run, kit_texture(p->width, p->height, format, NULL));

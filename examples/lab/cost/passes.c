@@ -68,8 +68,8 @@ static int layers_of(const ssgi_gl_step *steps, int count, int texture)
     int layers = 1;
     for (int i = 0; i < count; ++i)
         for (int k = 0; k < steps[i].outputs; ++k)
-            if (steps[i].output[k].texture == texture && steps[i].output[k].slices > 1)
-                layers = steps[i].output[k].slices;
+            if (steps[i].output[k].texture == texture && steps[i].output[k].layers > 1)
+                layers = steps[i].output[k].layers;
     return layers;
 }
 
@@ -102,7 +102,7 @@ static double target_bytes(const ssgi_gl_step *steps, int count)
             const ssgi_gl_output *o = &steps[i].output[k];
             if (o->texture < 0 || o->texture >= MOST_STEPS || seen[o->texture]++) continue;
             bytes += (double)steps[i].width * steps[i].height * o->format->bytes * (o->kept ? 2 : 1) *
-                     (o->slices > 1 ? o->slices : 1);
+                     (o->layers > 1 ? o->layers : 1);
         }
     return bytes;
 }

@@ -111,7 +111,7 @@ void manifest_variant(const ssgi_gl_desc *d, const char *const files[SSGI_GL_STA
 
 /* ---- chains ------------------------------------------------------------------------------------------------------ */
 
-static const char *const sizes[] = { "FULL", "HALF", "LEVELS", "TILES", "QUARTER" };
+static const char *const scales[] = { "FULL", "HALF", "LEVELS", "TILES", "QUARTER" };
 
 static int format_number(const ssgi_gl_format *format)
 {
@@ -137,8 +137,8 @@ static void put_textures(FILE *f, const ssgi_gl_step *steps, int count)
                 const ssgi_gl_output *o = &steps[i].output[k];
                 if (o->texture != texture) continue;
                 found = 1;
-                fprintf(f, "%s\n  { \"format\": %d, \"size\": \"%s\", \"slices\": %d, \"kept\": %d, "
-                           "\"result\": \"%s\" }", between, format_number(o->format), sizes[steps[i].size], o->slices,
+                fprintf(f, "%s\n  { \"format\": %d, \"scale\": \"%s\", \"layers\": %d, \"kept\": %d, "
+                           "\"result\": \"%s\" }", between, format_number(o->format), scales[steps[i].scale], o->layers,
                         o->kept, results[o->result]);
                 between = ",";
             }
@@ -187,7 +187,7 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
         between = ", ";
     }
     fprintf(f, " }, \"size\": \"%s\", \"frame\": %d, \"primitive\": \"%s\", \"vertices\": %d, \"instances\": %d,\n"
-               "    \"blend\": ", sizes[s->size], s->frame, primitives[s->primitive], s->vertices, s->instances);
+               "    \"blend\": ", scales[s->scale], s->frame, primitives[s->primitive], s->vertices, s->instances);
     put_blend(f, s->blend);
     fputs(", \"clear\": ", f);
     if (s->clear) fprintf(f, "%g", (double)s->clear_to); else fputs("null", f);
@@ -201,8 +201,8 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
     }
     fputs("],\n    \"outputs\": [", f);
     for (int i = 0; i < s->outputs; ++i)
-        fprintf(f, "%s{ \"name\": \"%s\", \"location\": %d, \"texture\": %d, \"slice\": %d }", i ? ", " : "",
-                s->output[i].name, i, s->output[i].texture, s->output[i].slice);
+        fprintf(f, "%s{ \"name\": \"%s\", \"location\": %d, \"texture\": %d, \"layer\": %d }", i ? ", " : "",
+                s->output[i].name, i, s->output[i].texture, s->output[i].layer);
     fputs("] }", f);
 }
 
@@ -334,15 +334,15 @@ static const char *const about[] = {
     "stage; rows: a number in row_lists.",
     "variants' key: what tells a variant from others: its fragment stage's file less the ending.",
     "chains: what methods draw, by the names of build/render, once a dialect. chain: the ssgi_gl_chain, what is not 0. "
-    "textures: what its steps write, by their numbers: format: a number in formats; size: FULL, HALF (rounded up), "
-    "LEVELS (ssgi_splat_size of what desc.half leaves: width, height of a level times levels), TILES (an eighth, "
-    "rounded up), QUARTER (rounded up); slices: 0: 2D, else an array of so many layers; "
+    "textures: what its steps write, by their numbers: format: a number in formats; scale: FULL, HALF (rounded up), "
+    "LEVELS (ssgi_splat_size of what desc.gather.resolution leaves: width, height of a level times levels), TILES (an eighth, "
+    "rounded up), QUARTER (rounded up); layers: 0: 2D, else an array of so many layers; "
     "kept: 1: two of it, which change places each frame; clear them to 0 when they are made. steps, in order: files; "
     "rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: 0: as many as you have; blend: null: off, "
     "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
     "meaning, SSGI_GL_YOUR_ without the prefix, else the number of a texture, as the last frame left it where last is "
     "1; binding, dimension and, where it is not 0, set are Vulkan's and WebGPU's, unit GL's. outputs: "
-    "texture -1: your picture; slice: the layer drawn into.",
+    "texture -1: your picture; layer: the one drawn into.",
     "translated texts lie beside those of dialect vulkan: .spv, .wgsl, .hlsl, .msl behind a file's name. Constants "
     "with an offset other than 0 in rows are specialisation constants of that id, in WGSL overrides.",
     "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",

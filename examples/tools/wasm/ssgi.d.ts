@@ -52,13 +52,13 @@ export interface Input {
 
 /** ssgi_gl_output */
 export interface Output {
-  name: string; texture: number; format: Format | 0; slices: number; slice: number; kept: number;
+  name: string; texture: number; format: Format | 0; layers: number; layer: number; kept: number;
   result: 'NONE' | 'LIGHT' | 'BOUNCE';
 }
 
 /** ssgi_gl_step: one draw */
 export interface Step {
-  desc: Desc; size: 'FULL' | 'HALF' | 'LEVELS' | 'TILES' | 'QUARTER'; width: number; height: number; inputs: Input[];
+  desc: Desc; scale: 'FULL' | 'HALF' | 'LEVELS' | 'TILES' | 'QUARTER'; width: number; height: number; inputs: Input[];
   outputs: Output[];
   frame: number; primitive: number; vertices: number; instances: number; blend: number[]; clear: number;
   clear_to: number;

@@ -21,7 +21,7 @@ const presets = ['FAST', 'BALANCED', 'BEST'];
 const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER_NORMALS', 'LAYER_ALBEDOS', 'DIRECT',
                   'NOISE', 'KERNEL', 'ENVIRONMENT', 'IRRADIANCE', 'LIGHTS', 'SHADOW', 'OCCLUDERS', 'FIELDS', 'OBJECTS',
                   'MOTION', 'AMBIENT', 'CAP'];                                  /* SSGI_GL_YOUR_ .. */
-const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS', 'TILES', 'QUARTER'];
+const results = ['NONE', 'LIGHT', 'BOUNCE'], scales = ['FULL', 'HALF', 'LEVELS', 'TILES', 'QUARTER'];
 const clips = ['GL', 'ZERO'], lamps = ['SUN', 'POINT', 'SPOT', 'VPL'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
 const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
@@ -518,14 +518,14 @@ export class Ssgi {
         const s = this.#ints(at, step, ['width', 'height', 'inputs', 'outputs', 'frame', 'primitive', 'vertices',
                                         'instances', 'clear']);
         return {
-            ...s, desc: this.#object(at + step.desc, like), size: sizes[this.#int(at + step.size)],
+            ...s, desc: this.#object(at + step.desc, like), scale: scales[this.#int(at + step.scale)],
             inputs: of(s.inputs, at + step.input, this.#at.ssgi_gl_input, k => ({
                 ...this.#ints(k, i, ['unit', 'target', 'set', 'binding', 'array', 'multisampled', 'integer', 'texture',
                                      'last', 'width', 'height']),
                 name: this.#string(this.#int(k + i.name)), type: this.#string(this.#int(k + i.type)),
                 meaning: meanings[this.#int(k + i.meaning)] ?? null, format: this.#format(this.#int(k + i.format)) })),
             outputs: of(s.outputs, at + step.output, this.#at.ssgi_gl_output, k => ({
-                ...this.#ints(k, o, ['texture', 'slices', 'slice', 'kept']), name: this.#string(this.#int(k + o.name)),
+                ...this.#ints(k, o, ['texture', 'layers', 'layer', 'kept']), name: this.#string(this.#int(k + o.name)),
                 format: this.#format(this.#int(k + o.format)), result: results[this.#int(k + o.result)] })),
             blend: of(3, at + step.blend, 4, k => this.#int(k)),
             clear_to: new DataView(this.#c.memory.buffer).getFloat32(at + step.clear_to, true)

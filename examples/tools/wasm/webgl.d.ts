@@ -36,8 +36,8 @@ export class Drawer {
   /** of the block "ssgi_frame" */
   binding: number;
   shader(desc: Desc, stage?: 'vert' | 'frag'): string;
-  texture(width: number, height: number, format: { internal: number }, slices?: number): WebGLTexture;
-  floats(rgba: Float32Array, width: number, height: number, slices?: number, given?: WebGLTexture | null): WebGLTexture;
+  texture(width: number, height: number, format: { internal: number }, layers?: number): WebGLTexture;
+  floats(rgba: Float32Array, width: number, height: number, layers?: number, given?: WebGLTexture | null): WebGLTexture;
   copy(texture: WebGLTexture, format: Format, width: number, height: number): WebGLTexture;
   read(texture: WebGLTexture, format: Format, width: number, height: number): Float32Array;
   free(texture: WebGLTexture): void;

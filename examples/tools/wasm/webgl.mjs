@@ -69,10 +69,10 @@ export class Drawer {
         return finished || !this.parallel || this.#gl.getProgramParameter(program, this.parallel.COMPLETION_STATUS_KHR);
     }
 
-    texture(width, height, { internal }, slices = 0) {
-        const gl = this.#gl, target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, texture = gl.createTexture();
+    texture(width, height, { internal }, layers = 0) {
+        const gl = this.#gl, target = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, texture = gl.createTexture();
         gl.bindTexture(target, texture);
-        if (slices) gl.texStorage3D(target, 1, internal, width, height, slices);
+        if (layers) gl.texStorage3D(target, 1, internal, width, height, layers);
         else gl.texStorage2D(target, 1, internal, width, height);
         for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(target, name, gl.NEAREST);
         return texture;
@@ -88,12 +88,12 @@ export class Drawer {
     }
 
     /* Four floats a texel, the first row first; given: a texture of that size, or a new one is made. */
-    floats(rgba, width, height, slices = 0, given = null) {
-        const gl = this.#gl, target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
-        const into = given ?? this.texture(width, height, { internal: gl.RGBA32F }, slices);
+    floats(rgba, width, height, layers = 0, given = null) {
+        const gl = this.#gl, target = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+        const into = given ?? this.texture(width, height, { internal: gl.RGBA32F }, layers);
         this.plainUploads();
         gl.bindTexture(target, into);
-        if (slices) gl.texSubImage3D(target, 0, 0, 0, 0, width, height, 1, gl.RGBA, gl.FLOAT, rgba);
+        if (layers) gl.texSubImage3D(target, 0, 0, 0, 0, width, height, 1, gl.RGBA, gl.FLOAT, rgba);
         else gl.texSubImage2D(target, 0, 0, 0, width, height, gl.RGBA, gl.FLOAT, rgba);
         return into;
     }
@@ -158,15 +158,15 @@ class Run {
     #draw(step) {
         const gl = this.#gl, draw = { step, made: this.#drawer.program(step.desc), framebuffer: [] };
         if (step.outputs[0].texture < 0) return draw;           /* onto the picture */
-        for (const { texture, format, slices, kept } of step.outputs)
+        for (const { texture, format, layers, kept } of step.outputs)
             this.#textures[texture] ??= Array.from({ length: kept ? 2 : 1 },
-                () => this.#drawer.texture(step.width, step.height, format, slices));
+                () => this.#drawer.texture(step.width, step.height, format, layers));
         for (let turn = 0; turn < (step.outputs.some(o => o.kept) ? 2 : 1); ++turn) {
             const attachments = step.outputs.map((_, i) => gl.COLOR_ATTACHMENT0 + i);
             gl.bindFramebuffer(gl.FRAMEBUFFER, draw.framebuffer[turn] = gl.createFramebuffer());
-            step.outputs.forEach(({ texture, slices, slice }, i) => {
+            step.outputs.forEach(({ texture, layers, layer }, i) => {
                 const of = this.#textures[texture][turn] ?? this.#textures[texture][0];
-                if (slices) gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachments[i], of, 0, slice);
+                if (layers) gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachments[i], of, 0, layer);
                 else gl.framebufferTexture2D(gl.FRAMEBUFFER, attachments[i], gl.TEXTURE_2D, of, 0);
             });
             gl.drawBuffers(attachments);

@@ -11,14 +11,14 @@ export interface Input {
 export interface Plan {
   name?: string;
   textures: {
-    format: string; slices: number; kept: number; result?: 'NONE' | 'LIGHT' | 'BOUNCE';
+    format: string; layers: number; kept: number; result?: 'NONE' | 'LIGHT' | 'BOUNCE';
     /** [width, height] once sized() */
     size: 'FULL' | 'HALF' | 'QUARTER' | 'TILES' | 'LEVELS' | number[];
   }[];
   steps: {
     rows: { kind: string; slot: number; offset: number }[]; blend?: [string, string, string] | null;
     clear: number | null; vertices: number; instances: number; inputs: Input[];
-    outputs: { texture: number; slice: number; format: string }[];
+    outputs: { texture: number; layer: number; format: string }[];
     code?: { vert: string; frag: string };
   }[];
 }

@@ -6,22 +6,22 @@
       passes.draw(encoder, { block: () => block, yours: (number, { yours }) => textures[yours] });
       passes.result('LIGHT')                                         // a GPUTexture: ambient visibility, or light
 
-   A plan: textures: [{ format, size, slices, kept, result }]; steps: [{ rows, blend: [operation, source, destination]
+   A plan: textures: [{ format, size, layers, kept, result }]; steps: [{ rows, blend: [operation, source, destination]
    or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours, texture,
-   last }], outputs: [{ texture, slice, format }], code: { vert, frag } }], formats in WebGPU's words. */
+   last }], outputs: [{ texture, layer, format }], code: { vert, frag } }], formats in WebGPU's words. */
 
 const usage = 1 | 2 | 4 | 16;                       /* COPY_SRC, COPY_DST, TEXTURE_BINDING, RENDER_ATTACHMENT */
 const both = 3;                                     /* visible in VERTEX and FRAGMENT */
 const of = (rows, kind) => rows.filter(row => row.kind === kind);
 
 /* A chain of a manifest as a plan without code; sizes: of its textures. */
-export function planOf(manifest, chain, sizes = chain.textures.map(({ size }) => size)) {
+export function planOf(manifest, chain, sizes = chain.textures.map(({ scale }) => scale)) {
     const formatOf = texture => (texture < 0 ? 'rgba16float'        /* a picture of yours */
         : manifest.formats[chain.textures[texture].format].webgpu);
     return {
         name: chain.name,
-        textures: chain.textures.map(({ slices, kept, result }, i) => ({
-            format: formatOf(i), size: sizes[i], slices, kept, result })),
+        textures: chain.textures.map(({ layers, kept, result }, i) => ({
+            format: formatOf(i), size: sizes[i], layers, kept, result })),
         steps: chain.steps.map(({ files, rows, blend, clear, vertices, instances, inputs, outputs }) => ({
             files, rows: rows.map(i => manifest.rows[i]), blend: blend?.webgpu, clear, vertices, instances, inputs,
             outputs: outputs.map(output => ({ ...output, format: formatOf(output.texture) })) }))
@@ -86,8 +86,8 @@ export class Passes {
     resize(textures) {
         this.free();
         this.#results = textures.map(({ result }) => result);
-        this.textures = textures.map(({ format, size, slices, kept }) => Array.from({ length: kept ? 2 : 1 },
-            () => this.#device.createTexture({ format, size: [...size, slices || 1], usage })));
+        this.textures = textures.map(({ format, size, layers, kept }) => Array.from({ length: kept ? 2 : 1 },
+            () => this.#device.createTexture({ format, size: [...size, layers || 1], usage })));
     }
 
     /* LIGHT or BOUNCE of the last frame; undefined: the chain has none. */
@@ -104,8 +104,8 @@ export class Passes {
                 entries.push({ binding, resource: read.createView({ dimension }) });
             }
             const pass = encoder.beginRenderPass({ timestampWrites: stamps?.(number),
-                colorAttachments: step.outputs.map(({ texture, slice }) => ({
-                    view: this.textures[texture][0].createView({ dimension: '2d', baseArrayLayer: slice,
+                colorAttachments: step.outputs.map(({ texture, layer }) => ({
+                    view: this.textures[texture][0].createView({ dimension: '2d', baseArrayLayer: layer,
                                                                  arrayLayerCount: 1 }),
                     loadOp: step.clear === null ? 'load' : 'clear', storeOp: 'store',
                     clearValue: Array(4).fill(step.clear ?? 0) })) });
