@@ -78,7 +78,7 @@ static void rug_and_table(kit_build *b)
     }
 }
 
-/* And a ball on the floor, a lamp above. */
+/* Things on the table, a ball on the floor, a lamp above. */
 static void on_the_table(kit_build *b)
 {
     static const kit_moulding shade[] = { {0.24, 0, 0.08, 0.22, 0.01}, {0.08, 0.22, 0, 0.22, 0} };
