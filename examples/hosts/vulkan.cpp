@@ -1,7 +1,8 @@
 /* vulkan.cpp - ambient visibility of a saved G-buffer by Vulkan, from the manifest and the SPIR-V of build/glsl-text.
-   Any chain of triangles is drawn so. vulkan_engine.hpp is what an engine has; the kit reads and writes pictures.
-      build/glsl-text --chain hsao,depth=LINEAR --spv DIR    and    build/render SCENE --save-gbuffer FRAME.exr
-      build/vulkan DIR FRAME.exr FOVY RADIUS OUT.exr|OUT.png [validate] */
+   It draws any chain whose steps are triangles. vulkan_engine.hpp stands for the engine; the kit reads and writes
+   pictures.
+     build/glsl-text --chain hsao,depth=LINEAR --spv DIR    and    build/render SCENE --save-gbuffer FRAME.exr
+     build/vulkan DIR FRAME.exr FOVY RADIUS OUT.exr|OUT.png [validate] */
 #include <nlohmann/json.hpp>
 #include "vulkan_engine.hpp"
 using nlohmann::json;
@@ -10,18 +11,18 @@ struct step {
     json is; /* in the manifest */
     vk::raii::Pipeline pipeline = nullptr;
     uint32_t width = 0, height = 0, instances = 0;
-    /* set by who draws: an image for each input that is yours; ssgi_gl_frame; of pass dss ssgi_surfel[] */
+    /* set by the caller: an image for each input that is yours; ssgi_gl_frame; for pass dss ssgi_surfel[] */
     std::vector<image *> yours;
     vk::Buffer frame, surfels;
 };
 
 struct chain {
     json is;
-    std::vector<std::vector<image>> textures; /* of a kept one two: this frame's, the last one's */
+    std::vector<std::vector<image>> textures; /* a kept texture is two: this frame's, the last frame's */
     std::vector<step> steps;
 };
 
-/* A step's textures and program. */
+/* Makes a step's textures and program. */
 static step step_of(gpu &g, const std::string &folder, const json &manifest, chain &c, const json &is, int width,
                     int height, const vk::SpecializationInfo *constants)
 {
@@ -61,7 +62,7 @@ static step step_of(gpu &g, const std::string &folder, const json &manifest, cha
     return s;
 }
 
-/* The manifest's first chain, for an image of that size. constants: other counts than its texts have. */
+/* Makes the manifest's first chain for an image of that size. constants: replace the counts in its shaders. */
 static chain chain_of(gpu &g, const std::string &folder, int width, int height, const vk::SpecializationInfo *constants)
 {
     const json manifest = json::parse(file_of(folder + "/manifest.json"));
@@ -109,7 +110,8 @@ static void draw(gpu &g, chain &c)
     });
 }
 
-/* Rows from the bottom, as GL's, so that noise is build/render's; with yours from the top give a projection, y down. */
+/* Rows run from the bottom, as in GL, so that the noise is build/render's. If yours run from the top, give a projection
+   with y down. */
 static void picture(gpu &g, const char *folder, const kit_image &frame, double fovy, float radius, const char *out)
 {
     const float f = (float)(1 / tan(fovy * KIT_PI / 360)), wide = (float)frame.width / (float)frame.height;
