@@ -1,4 +1,4 @@
-/* manifest.c - the manifest beside the texts of make glsl, from what the library says of itself. Declared in
+/* manifest.c - the manifest of the shaders that make glsl writes, made by the library's functions. Declared in
    manifest.h. */
 #include "tools/glsl/manifest.h"
 #include "tools/glsl/chains.h"
@@ -9,14 +9,14 @@
 const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "comp",
                                                       "glsl" };
 
-/* Lines of the manifest, each once: an entry's number stands for it. */
+/* Tables of the manifest's lines, each line once; other entries refer to a line by its number. */
 enum { MOST = 1 << 14, BUCKETS = 1 << 15 };
 typedef struct table { char *line[MOST]; int count, bucket[BUCKETS]; } table;
 static table rows, lists, variants, functions, formats, chains;
-static const char *fetch[2] = { "", "" };       /* what CUSTOM variants have; those for Vulkan */
+static const char *fetch[2] = { "", "" };       /* desc.shader.fetch of CUSTOM variants; of those for Vulkan */
 
-/* The number of a line, which is added unless it is there; key: the part of it that tells it from others. Without a
-   line: of the one with that key, or -1. */
+/* The number of a line, which is added if it is new; key: the part of it that identifies it. Without a line: the number
+   of the line with that key, or -1. */
 static int number_of(table *t, const char *key, const char *line)
 {
     uint64_t h = kit_hash(KIT_HASH, key, strlen(key));
@@ -31,7 +31,7 @@ static int number_of(table *t, const char *key, const char *line)
     }
 }
 
-/* Word i of those that a field's values have; at the empty end of them when there are fewer. */
+/* Word i of a field's values; an empty one past the last. */
 static const char *word_at(const ssgi_gl_choice *c, int i, int *length)
 {
     const char *s = c->values;
@@ -40,7 +40,7 @@ static const char *word_at(const ssgi_gl_choice *c, int i, int *length)
     return s;
 }
 
-/* The fields that are not 0, and the pass; enums by their words. */
+/* Writes the pass and the fields that are not 0; enums by their words. */
 static void put_desc(FILE *f, const ssgi_gl_desc *d)
 {
     const ssgi_gl_choice *c;
@@ -124,7 +124,7 @@ static int format_number(const ssgi_gl_format *format)
     return number_of(&formats, line, line);
 }
 
-/* What a step draws into, each texture once, by its number. */
+/* Writes the textures that steps draw into, each once, by number. */
 static void put_textures(FILE *f, const ssgi_gl_step *steps, int count)
 {
     static const char *const results[] = { "NONE", "LIGHT", "BOUNCE" };
@@ -161,7 +161,7 @@ static void put_input(FILE *f, const ssgi_gl_input *in)
     else fprintf(f, "\"yours\": \"%s\" }", yours[in->meaning]);
 }
 
-/* Blending in each language's words or numbers; null: off. */
+/* Writes blending in each language's words or numbers; null: off. */
 static void put_blend(FILE *f, const unsigned blend[3])
 {
     static const struct { unsigned gl; int vulkan; const char *webgpu; } words[] = {
@@ -209,7 +209,7 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
 void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *chain, const ssgi_gl_step *steps,
                     int count, const char *const (*files)[SSGI_GL_STAGES])
 {
-    char *line = NULL, key[4096];                           /* names are as one writes them */
+    char *line = NULL, key[4096];                           /* names as a user types them */
     const ssgi_gl_choice *choice;
     size_t size;
     int value;
@@ -220,7 +220,7 @@ void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *ch
     fprintf(f, "%s \"about\": ", key);
     kit_json_string(f, about);
     fputs(",\n\"chain\": { \"desc\": ", f);
-    ssgi_gl_chain in = *chain;                              /* in that dialect */
+    ssgi_gl_chain in = *chain;                              /* the same in that dialect */
     in.desc.shader.dialect = in.lights.shader.dialect = steps[0].desc.shader.dialect;
     put_desc(f, &in.desc);
     if (in.lights.pass == SSGI_GL_PASS_LIGHTS) {
@@ -258,7 +258,7 @@ static void put_table(FILE *f, const char *name, const table *t)
     fputs("\n]", f);
 }
 
-/* Bytes of a member in std140, which is the struct. */
+/* Bytes of a member in std140, the same as in the struct. */
 static size_t bytes_of(const char *type)
 {
     static const struct { const char *name; size_t bytes; } types[] = { { "float", 4 }, { "int", 4 }, { "vec2", 8 },
@@ -270,8 +270,8 @@ static size_t bytes_of(const char *type)
     abort();
 }
 
-/* What ssgi_gl_frame_init sets a member to: numbers, times the radius where they follow it; "view" where they follow
-   the camera. */
+/* Writes the value that ssgi_gl_frame_init gives a member: numbers, times the radius if they depend on it; "view" if
+   they depend on the camera. */
 static void put_default(FILE *f, const ssgi_gl_frame frame[3], const ssgi_gl_io *m)
 {
     const char *at[3];
@@ -293,7 +293,7 @@ static void put_default(FILE *f, const ssgi_gl_frame frame[3], const ssgi_gl_io 
     fprintf(f, "%s%s", bytes > 4 ? "]" : "", scaled ? ", \"times\": \"radius\"" : "");
 }
 
-/* Frames of a camera, of it with twice the radius, of another camera. */
+/* Frames of a camera, of the same camera with twice the radius, and of another camera. */
 static void frames_to_compare(ssgi_gl_frame frame[3])
 {
     for (int i = 0; i < 3; ++i) {
@@ -326,7 +326,7 @@ static void put_block(FILE *f, const char *name, int block, const char *prefix, 
     fputs("\n] }", f);
 }
 
-/* What a reader of the manifest needs to know, a line each. */
+/* The explanation of the manifest, an entry a line. */
 static const char *const about[] = {
     "variants: each set of files that belongs together. desc: the fields of ssgi_gl_desc that are not 0, enums by "
     "their words (fields has them in order from 0); fetch: true: with this manifest's fetch (vulkan: "
@@ -365,7 +365,7 @@ static void put_about(FILE *f)
     }
 }
 
-/* ssgi_gl_desc: where its fields are, and their words. */
+/* Writes the offsets and words of ssgi_gl_desc's fields. */
 static void put_fields(FILE *f)
 {
     const ssgi_gl_choice *c;

@@ -1,4 +1,4 @@
-/* webgpu.mjs - draws a chain of ssgi with WebGPU, by what its plan says alone.
+/* webgpu.mjs - draws a chain of ssgi with WebGPU, from its plan alone.
 
       import hsao from 'ssgi/chains/hsao';
       const passes = new Passes(device, sized(hsao, width, height));
@@ -7,16 +7,16 @@
       passes.result('LIGHT')                                         // a GPUTexture: ambient visibility, or light
 
    A plan: textures: [{ format, size, layers, kept, result }]; steps: [{ rows, blend: [operation, source, destination]
-   or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours, texture,
-   last }], outputs: [{ texture, layer, format }], code: { vert, frag } }], formats in WebGPU's words. */
+   or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours, texture, last
+   }], outputs: [{ texture, layer, format }], code: { vert, frag } }]. Formats are WebGPU's words. */
 
 const usage = 1 | 2 | 4 | 16;                       /* COPY_SRC, COPY_DST, TEXTURE_BINDING, RENDER_ATTACHMENT */
 const both = 3;                                     /* visible in VERTEX and FRAGMENT */
 const of = (rows, kind) => rows.filter(row => row.kind === kind);
 
 /* A chain of a manifest as a plan without code; sizes: of its textures. */
-export function planOf(manifest, chain, sizes = chain.textures.map(({ scale }) => scale)) {
-    const formatOf = texture => (texture < 0 ? 'rgba16float'        /* a picture of yours */
+export function planOf(manifest, chain, sizes = chain.textures.map(({ size }) => size)) {
+    const formatOf = texture => (texture < 0 ? 'rgba16float'        /* your picture */
         : manifest.formats[chain.textures[texture].format].webgpu);
     return {
         name: chain.name,
@@ -38,7 +38,7 @@ export function sized({ name, textures, steps }, width, height) {
     }) };
 }
 
-/* What a pipeline needs besides its layout. stride: of the buffer of attributes, if there are some. */
+/* The descriptor of a pipeline without its layout. stride: of the buffer of attributes, if there are any. */
 export function pipelineOf({ rows, blend, outputs }, modules, stride) {
     const [operation, srcFactor, dstFactor] = blend ?? [], by = { operation, srcFactor, dstFactor };
     const blending = blend && { blend: { color: by, alpha: by } };
@@ -64,10 +64,10 @@ function layoutOf(device, { rows, inputs }) {
 /* A chain with its pipelines and textures. */
 export class Passes {
     #device; #draws = []; #results;
-    textures = [];                                  /* by number; of a kept one two: [0] is drawn into */
-    ready;                                          /* a promise: its pipelines are there */
+    textures = [];                                  /* by number; a kept one has two, [0] is drawn into */
+    ready;                                          /* a promise, resolved when its pipelines exist */
 
-    /* modulesOf: a step's { vert, frag }, or a promise of them; default: of the plan's code */
+    /* modulesOf: gives a step's { vert, frag }, or a promise of them; default: from the plan's code */
     constructor(device, { steps, textures }, modulesOf = null, stride = undefined) {
         const moduleOf = code => device.createShaderModule({ code });
         this.#device = device;
@@ -82,7 +82,7 @@ export class Passes {
         })).then(draws => { this.#draws = draws; });
     }
 
-    /* New textures, of a plan of the same chain. */
+    /* Replaces the textures by those of a plan of the same chain. */
     resize(textures) {
         this.free();
         this.#results = textures.map(({ result }) => result);
@@ -93,8 +93,8 @@ export class Passes {
     /* LIGHT or BOUNCE of the last frame; undefined: the chain has none. */
     result(name) { return this.textures[this.#results.indexOf(name)]?.[0]; }
 
-    /* block(number of the step): its uniform buffer; yours(number, input): a texture of yours, null: one of the
-       chain's; instances(number) and surfels where a step draws those; stamps(number): where its times are written. */
+    /* block(number of the step): its uniform buffer; yours(number, input): your texture, null: one of the chain's;
+       instances(number) and surfels for a step that draws those; stamps(number): where its times are written. */
     draw(encoder, { block, yours, instances, surfels, stamps }) {
         this.#draws.forEach(({ step, layout, pipeline }, number) => {
             const entries = [{ binding: 0, resource: { buffer: block(number) } }];
@@ -117,7 +117,7 @@ export class Passes {
         });
     }
 
-    /* After a frame whose history is kept. */
+    /* Call it after a frame whose history is kept. */
     turn() { this.textures.forEach(pair => pair.reverse()); }
     free() { this.textures.flat().forEach(texture => texture.destroy()); }
 }
