@@ -17,7 +17,7 @@ KIT_LIBS  = -lOpenEXRCore-3_1 -lz -lm -lpthread -ldl \
             -Wl,--as-needed $(shell pkg-config --libs assimp 2>/dev/null)
 # The files of a folder that match, without their ending.
 all_of    = $(patsubst $(1)/%.c,%,$(wildcard $(addprefix $(1)/,$(2))))
-# The kit's rooms, none of which calls another in a circle, as make tree proves.
+# The kit's rooms; make tree proves that none call each other in a circle.
 KIT_BASE  = $(filter-out library%,$(call all_of,examples/kit,*.c))
 KIT       = $(KIT_BASE) $(call all_of,examples/kit,$(addsuffix /*.c,scene scene/tables trace gl run))
 LIBRARY   = library.o library_gl.o

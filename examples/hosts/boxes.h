@@ -13,7 +13,8 @@ static GLuint boxes_texture[BOXES_TEXTURES], boxes_framebuffer, boxes_scene, box
    number. */
 static float boxes_projection[16] = { 0, 0, 0, 0, 0, 2.41421356f, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 };
 
-/* Box 0 is the slab. They are turned about y, seen from (0, 6, 8); the sun is above the viewer's left shoulder. */
+/* Box 0 is the slab. All boxes turn about y and are seen from (0, 6, 8); the sun is above the viewer's left
+   shoulder. */
 static const char boxes_vertex[] =
     "uniform mat4 projection; uniform float angle; flat out vec3 normal;\n"
     "void main() {\n"

@@ -6,7 +6,7 @@
      cc examples/hosts/forward.c -lglfw -lGL -lm -o forward && ./forward    (Debian: libglfw3-dev)
    ./forward FILE.ppm [SUN SKY]: one picture; with SUN and SKY as the lights' strength, without multisampling, pane,
    sign and fog. The window's size is fixed; glfw.c shows the code for a change of size. */
-#define GL_GLEXT_PROTOTYPES /* libGL has all functions; elsewhere a loader declares them: glad, for instance */
+#define GL_GLEXT_PROTOTYPES /* libGL has all functions; on other systems a loader, such as glad, declares them */
 #define GLFW_INCLUDE_GLCOREARB
 #include <GLFW/glfw3.h>
 #include "boxes.h"
@@ -72,7 +72,7 @@ static const char *occlusion(char *functions, size_t size, int width, int height
     return ssgi_gl_read(functions, size, &step[steps - 1].desc) < size ? NULL : "the functions need more room";
 }
 
-/* Every frame, after the first pass. */
+/* Draws the occlusion; called every frame after the first pass. */
 static const char *occlude(const float projection[16], float radius, int width, int height)
 {
     ssgi_view view;

@@ -4,7 +4,7 @@
    Draw fog, glass, sprites and the player's weapon between occlude and boxes_show, with the depth that occlude read,
    and TAA last: then they are not dimmed. Keep a thing out of that depth if it must not occlude either. ./glfw FILE.ppm
    [SUN SKY]: one picture, after a change of the window's size; SUN and SKY: the lights' strength. */
-#define GL_GLEXT_PROTOTYPES /* libGL has all functions; elsewhere a loader declares them: glad, for instance */
+#define GL_GLEXT_PROTOTYPES /* libGL has all functions; on other systems a loader, such as glad, declares them */
 #define GLFW_INCLUDE_GLCOREARB
 #include <GLFW/glfw3.h>
 #include "boxes.h"
@@ -18,7 +18,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint program[MOST], framebuffer[MOST], texture[MOST], block, yours[SSGI_GL_YOURS];
 
-/* When the size changes: gets the steps and makes their targets. Programs do not depend on the size. */
+/* Call it when the size changes: gets the steps and makes their targets. Programs do not depend on the size. */
 static const char *resize(int width, int height)
 {
     static char text[2][32768];
@@ -53,7 +53,7 @@ static const char *resize(int width, int height)
     return NULL;
 }
 
-/* Every frame, with the projection that depth was drawn with. radius: the distance of the farthest occluders. */
+/* Call it every frame, with the projection of depth. radius: the distance of the farthest occluders. */
 static const char *occlude(const float projection[16], float radius, int width, int height)
 {
     ssgi_view view;

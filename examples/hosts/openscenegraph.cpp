@@ -67,7 +67,7 @@ struct Occlusion {
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), step[i].width, step[i].height, 0,
                          to.format->format, to.format->type, nullptr);
             for (GLenum filter : { GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER })
-                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* else textures of integers read 0 */
+                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* else integer textures read 0 */
             glGenFramebuffers(1, &framebuffer[i]);
             glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[to.texture], 0);

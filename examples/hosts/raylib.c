@@ -33,7 +33,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint program[MOST], framebuffer[MOST], texture[MOST], block, array;
 
-/* When the size changes. picture: a texture of encoded values, which the last step multiplies. */
+/* Call it when the size changes. picture: a texture of sRGB-encoded values, which the last step multiplies. */
 static const char *resize(GLuint picture, int width, int height)
 {
     static char text[2][32768];
@@ -72,7 +72,7 @@ static const char *resize(GLuint picture, int width, int height)
     return NULL;
 }
 
-/* Every frame, with the projection that depth was drawn with: rlGetMatrixProjection() within BeginMode3D. */
+/* Call it every frame, with the projection that depth was drawn with: rlGetMatrixProjection() within BeginMode3D. */
 static const char *occlude(GLuint depth, Matrix projection, float radius, int width, int height)
 {
     ssgi_view view;

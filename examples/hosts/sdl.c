@@ -16,7 +16,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint program[MOST], framebuffer[MOST], texture[MOST], block, yours[SSGI_GL_YOURS];
 
-/* When the size changes: gets the steps and makes their targets. Programs do not depend on the size. */
+/* Call it when the size changes: gets the steps and makes their targets. Programs do not depend on the size. */
 static const char *resize(int width, int height)
 {
     static char text[2][32768];
@@ -52,7 +52,7 @@ static const char *resize(int width, int height)
     return NULL;
 }
 
-/* Every frame, with the projection that depth was drawn with. radius: the distance of the farthest occluders. */
+/* Call it every frame, with the projection of depth. radius: the distance of the farthest occluders. */
 static const char *occlude(const float projection[16], float radius, int width, int height)
 {
     ssgi_view view;

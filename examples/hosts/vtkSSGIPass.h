@@ -209,7 +209,7 @@ private:
             glBindTexture(GL_TEXTURE_2D, Texture[to.texture]);
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), Step[i].width, Step[i].height, 0,
                          to.format->format, to.format->type, nullptr);
-            if (Compiled) continue;                             /* programs are the same for every size */
+            if (Compiled) continue;                             /* programs do not depend on the size */
             for (int k = 0; k < 2; ++k) {
                 const size_t length = ssgi_gl_emit(nullptr, 0, &Step[i].desc, k);
                 text[k].resize(length + 1);
@@ -278,7 +278,7 @@ private:
         for (GLuint i = 0; i < 3; ++i) Bind(state, i, textures[i]);
         state->vtkglBindFramebuffer(GL_FRAMEBUFFER, into);
         state->vtkglViewport(x, y, width, height);
-        state->vtkglEnable(GL_DEPTH_TEST);                  /* depth is written where it is tested */
+        state->vtkglEnable(GL_DEPTH_TEST);                  /* GL only writes depth while it tests depth */
         state->vtkglDepthFunc(GL_ALWAYS);
         state->vtkglDepthMask(GL_TRUE);
         glUseProgram(Combined);

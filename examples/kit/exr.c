@@ -209,7 +209,7 @@ static int exr_read_parts(kit_image *out, const char *path, exr_const_context_t 
     }
     kit_image_free(&image);
     return result == EXR_ERR_FEATURE_NOT_IMPLEMENTED
-             ? kit_fail(err, "%s: its compression is none that is supported (none, RLE, ZIP, PIZ, PXR24, B44)", path)
+             ? kit_fail(err, "%s: its compression is not supported (supported: none, RLE, ZIP, PIZ, PXR24, B44)", path)
              : exr_fail(err, path, result);
 }
 
@@ -229,7 +229,7 @@ static int exr_open(exr_reader *r, const char *path, kit_error *err)
     if (!file) return -1;
     fclose(file);
     exr_context_initializer_t start = exr_initializer();
-    start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;   /* a damaged file is an error, not a guess */
+    start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;   /* a damaged file is an error, not reconstructed */
     const exr_result_t result = exr_start_read(&r->context, path, &start);
     return result == EXR_ERR_SUCCESS ? 0 : exr_fail(err, path, result);
 }

@@ -356,8 +356,8 @@ enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
 int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation,
                  int rays, int stride, kit_error *err);
 
-/* Two such pictures with linear attenuation, in channels Y and again, whose noise is independent. The mean product of
-   an image's differences from both is its squared error, without the noise of the ground truth. */
+/* Two such pictures with linear attenuation, in the channels "Y" and "again", whose noise is independent. The mean
+   product of an image's differences from both is its squared error, without the noise of the ground truth. */
 int kit_truth_pair(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int rays,
                    kit_error *err);
 

@@ -46,7 +46,7 @@ void   kit_quad(kit_build *b, const double corner[4][3]);
 void   kit_box(kit_build *b, double x0, double y0, double z0, double x1, double y1, double z1);
 /* horizontal rectangle, seen from above */
 void   kit_level(kit_build *b, double x0, double z0, double x1, double z1, double y);
-/* a flat quad from corner 0 (u = v = 0) by corner 1 (u = 1) to corner 2 (u = v = 1), cut at the given u and v */
+/* a flat quad with u = v = 0 at corner 0, u = 1 at corner 1 and u = v = 1 at corner 2, cut at the given u and v */
 void   kit_sheet(kit_build *b, const double c[4][3], const double *u, int nu, const double *v, int nv);
 #define KIT_CUTS(a) a, (int)(sizeof a / sizeof *a) - 1
 /* parameters at which big planes are cut: finer towards their middle, so that a rasteriser interpolates precisely */
@@ -91,7 +91,7 @@ void   kit_prism(kit_build *b, const double outline[][2], int count, double heig
 /* a flat sheet without thickness that leans: width along x, length along z from the origin, bent down by bend radians
    over its length; as a leaf it is pointed at both ends */
 void   kit_leaf(kit_build *b, double width, double length, double bend, int cells, int pointed);
-/* ground over a rectangle, with smooth normals: height(of, x, z) */
+/* a ground over a rectangle, with smooth normals; height(of, x, z) is its height */
 typedef double kit_height(const void *of, double x, double z);
 void   kit_height_field(kit_build *b, const double rectangle[4], int nx, int nz, kit_height *height, const void *of);
 

@@ -255,7 +255,7 @@ typedef struct kit_settings {
     double margin;                         /* radii */
     /* how much they occlude */
     int    thickness, falloff, fade, normal, left_handed, facets, lift;
-    double thickness_limit, fade_from, lambda;   /* radii, radii, per radius */
+    double thickness_limit, fade_from, lambda;   /* in radii; in radii; per radius */
     /* filters */
     int    blur, filter, filter_normals, restore, history;
     /* light */
@@ -301,7 +301,7 @@ int  kit_method_set(kit_method *method, const char *text, kit_error *err);
 int  kit_method_setting(kit_setting *setting, const kit_method *method, int i);    /* the i-th; 0 past the last */
 /* The word of a setting's number, in small letters, as kit_method_set takes it. Returns its length. */
 size_t kit_setting_word(char *out, size_t size, const kit_setting *setting, int number);
-/* The settings that are not the method's defaults, as kit_method_set takes them; "" = none. */
+/* The settings that differ from the method's defaults, as kit_method_set takes them; "" = none. */
 void kit_method_text(char *text, size_t size, const kit_method *method);
 ssgi_field_desc kit_method_field(const kit_method *method);    /* the bake by aof's settings */
 /* The number of surfel levels for a radius in screen heights. Half the radius suffices if occlusion fades with
@@ -368,7 +368,7 @@ typedef struct kit_run {
     /* predicted pixels of all splats of the first splat pass; of each level */
     double        splat_pixels, level_pixels[SSGI_SPLAT_LEVELS];
     GLuint        arrays[3], buffers[3], query;
-    size_t        field_bytes;             /* of those fields */
+    size_t        field_bytes;             /* memory of fields */
     GLuint        joint;                   /* a term that bounce also includes; 0 = none */
     /* the environment, interleaved; its harmonics if a pass reads them (s3ho's have the suns as lobes) */
     float        *equirect, harmonics[48];

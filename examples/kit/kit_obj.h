@@ -11,7 +11,7 @@ static const double KIT_AWAY = 100, KIT_COARSE = 2e-5;
 /* The input, for error messages: its path, and in a text the line, else 0. */
 typedef struct kit_source { const char *path; int line; kit_error *err; } kit_source;
 
-static const float KIT_FARTHEST = 1e15f;   /* squares of distances are floats, too */
+static const float KIT_FARTHEST = 1e15f;   /* the square of a distance must fit a float */
 extern const float kit_grey[3];            /* albedo of triangles without a material */
 
 typedef struct kit_array { void *data; size_t count, capacity; } kit_array;

@@ -77,7 +77,7 @@ void      kit_rotation_of(float rotation[12], const float a[16], const float b[1
    caller frees it. */
 typedef struct kit_seen_places { kit_sphere all, middle; float (*point)[4]; size_t points; } kit_seen_places;
 int       kit_seen(const kit_gbuffer *g, kit_seen_places *seen, kit_error *err);
-/* Extra cameras: their G-buffers, their frames, their depths as one array. */
+/* Adds the extra cameras: their G-buffers, their frames, and their depths as one array. */
 int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about);
 
 /* ---- >>lights */

@@ -1,5 +1,5 @@
 /* kit_seed.h - scenes drawn from a seed, and models of the catalogue by their names. Private to the files of scene/
-   that build them: seeds.c reads names and puts a scene together, grammar.c builds what the rows of tables/ say,
+   that build them: seeds.c reads names and assembles a scene, grammar.c builds things from the rows of tables/,
    catalogue.c finds models, look.c places the camera. */
 #ifndef KIT_SEED_H
 #define KIT_SEED_H

@@ -112,7 +112,7 @@ typedef struct parallel {
     void *context;
 } parallel;
 
-static int parallel_block(parallel *p)     /* 0 when none is left */
+static int parallel_block(parallel *p)     /* 0 if no block is left */
 {
     int first = atomic_fetch_add(&p->next, p->block);
     if (first >= p->count) return 0;
@@ -134,7 +134,7 @@ void kit_parallel(const char *what, int count, void (*job)(void *context, int i)
     long wanted = text && atoi(text) > 0 ? atoi(text) : sysconf(_SC_NPROCESSORS_ONLN);
     int threads = wanted < 1 ? 1 : wanted > MOST ? MOST : (int)wanted;
     parallel p = { .count = count, .job = job, .context = context };
-    p.block = count / (32 * threads);      /* small enough to even out unequal jobs */
+    p.block = count / (32 * threads);      /* small enough to balance unequal jobs */
     if (p.block < 1) p.block = 1;
     atomic_init(&p.next, 0);
 
@@ -288,8 +288,8 @@ int kit_file_write(const char *path, const void *data, size_t size, kit_error *e
 
 /* ---- JSON --------------------------------------------------------------------------------------------------- */
 
-/* Bytes of the character in UTF-8 at s, 0 if there is none: no longer forms of shorter ones, no halves of a pair of
-   UTF-16, nothing beyond U+10FFFF (the Unicode standard's table 3-7). */
+/* The number of bytes of the UTF-8 character at s, 0 if it is invalid: a longer form of a shorter one, half of a UTF-16
+   pair, or above U+10FFFF (the Unicode standard's table 3-7). */
 static int utf8_length(const unsigned char *s)
 {
     static const struct { unsigned char first, last, low, high; int length; } forms[] = {

@@ -142,7 +142,7 @@ static int take_number(viewer *v, asked *to, const char *name, const char *value
     return kit_fail(&v->err, "%s: there is no such option (--help names all)", name);
 }
 
-/* An option with its value, "" where there is none. */
+/* Takes an option with its value, "" if it has none. */
 static int option(viewer *v, asked *to, const char *name, const char *value)
 {
     const struct {

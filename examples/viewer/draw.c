@@ -332,7 +332,7 @@ int draw_frame(viewer *v)
     ++v->still;
     ++v->frame;
     if (!opens || ++v->pace.opened < 2 || !pace_took(&v->pace, v->ms, of_surfels(v))) return 0;
-    if (!v->panel) panel_say(v, "the size goes by what there is time for (f: fixed)");
+    if (!v->panel) panel_say(v, "the size is chosen by the frame's time (f: fixed)");
     return 0;
 }
 

@@ -71,7 +71,7 @@ int env_open(viewer *v, const char *name)
     return 0;
 }
 
-/* A scene's own light, or a sky with its sun. */
+/* Sets a scene's own light, or a sky with a sun. */
 static int light_of(viewer *v, const kit_scene *scene)
 {
     const int own = scene->env || scene->lights;

@@ -1,5 +1,4 @@
-/* pictures.c - reads back what was drawn: its error against the ground truth, PNG of the window, EXR of the left
-   half. */
+/* pictures.c - reads pictures back: their error against the ground truth, PNG of the window, EXR of the left half. */
 #include "viewer.h"
 #include <math.h>
 #include <stdlib.h>

@@ -31,7 +31,7 @@ typedef struct truth {
     unsigned           wanted;              /* counts requests: a new number cancels the tracing */
     progress           now;
     float             *rgb;
-    int               *rays;                /* a pixel; 0: not known, rgb is a neighbour's */
+    int               *rays;                /* for each pixel; 0: unknown, rgb is a neighbour's */
     kit_error          err;                 /* why it failed */
 } truth;
 
@@ -88,7 +88,7 @@ typedef struct viewer {
     side         side[2];
     int          kept;                      /* the scene's triangles are on the GPU */
     kit_gbuffer  gbuffer[2], *seen;         /* of this frame and the last; seen: this frame's, NULL: none yet */
-    float        stood[2][3];               /* slid, in each G-buffer */
+    float        stood[2][3];               /* slid, at the time of each G-buffer */
     int          drawn[2];                  /* size */
     int          moved, restart, redraw;    /* changes since the last frame: the view; the methods; the text */
     unsigned     frame, still;              /* all frames; those since the view moved */
@@ -133,7 +133,7 @@ void   load_close(viewer *v);
 int    draw_open(viewer *v);
 int    draw_frame(viewer *v);               /* draws the methods if needed */
 void   draw_window(viewer *v);              /* both halves into the window */
-int    draw_settled(const viewer *v);       /* another frame would not differ */
+int    draw_settled(const viewer *v);       /* 1: another frame would look the same */
 void   draw_forget(viewer *v);              /* before the scene's triangles change */
 void   draw_close(viewer *v);
 

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The visible side of a face is the side of its plane on which u_eye lies (facing), or of a parallel plane through
-   u_target: gl_FrontFacing would need all meshes to have one winding. u_side: 1 turns normals toward the viewer, -1
-   away.
+/* The visible side of a face is the side of its plane on which u_eye lies (facing); if orthographic, the side of the
+   parallel plane through u_target. (gl_FrontFacing would need all meshes to have one winding.) u_side: 1 turns normals
+   toward the viewer, -1 away.
 
    PEEL keeps fragments that are behind u_previous, the view depths of the layer before, by more than 4e-6 of that
    depth. This same program interpolated those depths, so a surface finds its own depth again bit by bit; the tolerance
@@ -364,7 +364,7 @@ int kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, k
     return 0;
 }
 
-/* Three planes of texels as one texture of four components, rows as they are. */
+/* Three planes of texels as one texture of four components, with the rows in the same order. */
 static GLuint packed_slabs(const kit_gbuffer *g, const float *planes)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -540,7 +540,7 @@ static void take_layers(kit_gbuffer *g, const frame_channels *f, float *room)
         g->layer_albedo = kit_texture_array(g->width, g->height, g->layers - 1, GL_RGBA16F, albedo + 4 * texels);
 }
 
-/* Takes back faces and motion; room as above. */
+/* Fills the textures of back faces and motion from the frame; room as above. */
 static void take_slabs_and_motion(kit_gbuffer *g, const frame_channels *f, float *room)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;

@@ -130,8 +130,8 @@ int kit_open_lit(kit_making *m, const float picture[16])
     int count = 0, direct = 0, failed = 0;
     kit_seen_places seen;
     if (s3ho && set->indirect && g->direct)
-        return kit_fail(m->err, "method %s: its bounce is of --env and --light alone, the frame's direct.R .. would be "
-                                "left out: take ssdo, or --set indirect=none", m->method->name);
+        return kit_fail(m->err, "method %s: its bounce has only --env and --light, and would lack the frame's "
+                                "direct.R ..: take ssdo, or --set indirect=none", m->method->name);
     if (!env->data) m->desc.light.shading = SSGI_GL_SHADING_HARMONICS;
     m->desc.light.environment = env->data && !set->suns ? environments[set->environment] : SSGI_GL_ENVIRONMENT_NONE;
     if (s3ho) m->desc.light.environment = SSGI_GL_ENVIRONMENT_SH;

@@ -13,7 +13,7 @@ enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
 static const char *const pictures[PICTURES][2] = { { "hsao", "thickness=width" }, { "hsao-best", "thickness=width" },
                                                    { "hsao", "thickness=solid" }, { "hsao", "thickness=slabs" } };
 
-/* Pixels without a surface are left out. */
+/* A survey of the pictures, without pixels that show no surface. */
 static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count, const float *z, kit_error *err)
 {
     const size_t pixels = (size_t)picture->width * (size_t)picture->height;
@@ -153,7 +153,7 @@ static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame
     return 0;
 }
 
-/* The numbers of the scene's surfels and their splats' pixels, over the frame's pixels. */
+/* The number of the scene's surfels, and that of the pixels under their splats, each over the frame's pixels. */
 static int surfels_of(ssgi_plan_scene *s, const kit_gbuffer *g, const kit_scene *scene, float radius, kit_error *err)
 {
     const ssgi_surfel_desc desc = { .max_distance = radius };

@@ -119,7 +119,7 @@ int kit_run_open_wide(kit_run *run, kit_gbuffer *g, const kit_method *method, fl
     static const kit_lighting dark;
     const kit_world whole = { world ? world->scene : NULL, world && world->lighting ? world->lighting : &dark };
     kit_making m = { .run = run, .method = method, .set = &method->set, .world = &whole, .err = err };
-    memset(run, 0, sizeof *run);           /* in place: passes point at its extra cameras */
+    memset(run, 0, sizeof *run);           /* run is filled in place, because passes point to its extra cameras */
     const int failed = kit_add_margin(&m, &g, radius, margin) || open_on(&m, g, radius);
     if (failed) kit_run_close(run);
     return failed ? -1 : 0;

@@ -10,7 +10,7 @@
 
 enum {
     GATHER = 1,
-    LIGHTS = 2 /* fields of those passes' descs */,
+    LIGHTS = 2 /* fields of the descs of gathers, and of lights */,
     FRAME = 4,
     SCALED = 8 /* a member of the frame; times the radius */,
     PLAN = 0 /* the method's code reads it */
@@ -101,7 +101,7 @@ ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gathe
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
 OF(one_sided_row, one_sided, light.one_sided, GATHER, 0, "1: the unseen sides of emitters send nothing; 0: an unseen "
     "side sends 0.35 of their radiance, as most surfaces are lit from there, too")
-ROW(clamp_row, clamp, "largest luminance that an emitter sends, its hue kept, against fireflies; 0: no limit", NULL, 0, 0,
+ROW(clamp_row, clamp, "largest luminance of an emitter, its hue kept, against fireflies; 0: no limit", NULL, 0, 0,
     65408, PLAN, 0)
 ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
     NULL, 0, 0, 100, FRAME, FRAMED(distance_clamp))

@@ -136,7 +136,8 @@ static void soffit_surface(const void *shape, double u, double v, kit_vertex *ou
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = -cos(a);
 }
 
-/* a wall along z, thickness 2 t, from the springing to the top, with a round arch between two columns half bays away */
+/* a wall along z, 2 t thick, from the springing to the top, with a round arch between two columns, each half_bay
+   away */
 static void arch(kit_build *b, double radius, double spring, double top, double t, double half_bay)
 {
     const double shape[3] = { radius, spring, t };

@@ -62,7 +62,7 @@ static void white_radiance(const float d[3], double rgb[3]) { (void)d; rgb[0] = 
    rectangles. */
 typedef struct glow { double longitude, latitude, wide, high, power, rgb[3]; } glow;
 
-/* 1 in the middle, 1/2 at the half sizes, 0 from 1.4 of them on */
+/* 1 in the middle, 1/2 at the half sizes, 0 beyond 1.4 of them */
 static double glow_at(const glow *g, const float d[3])
 {
     const double lon = g->longitude * KIT_PI / 180, lat = g->latitude * KIT_PI / 180;
@@ -86,8 +86,8 @@ static void add_glows(double rgb[3], const float d[3], const glow *glows, size_t
 }
 #define GLOWS(table) table, sizeof (table) / sizeof (table)[0]
 
-/* In the spirit of Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to
-   -x; a few lamps, warm to -x. The luminance of the irradiance over pi facing up is 1. */
+/* Similar to Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to -x; a
+   few lamps, warm to -x. The luminance of the irradiance over pi facing up is 1. */
 static void probe_radiance(const float d[3], double rgb[3])
 {
     static const double low[3] = { 0.090, 0.066, 0.045 }, high[3] = { 0.30, 0.215, 0.13 };
@@ -116,8 +116,8 @@ static void windows_radiance(const float d[3], double rgb[3])
 }
 
 /* A street along z at night: a dark sky, facades to both sides with lit windows, and six lamps of a degree's half-angle
-   that bring nine tenths of the light from less than a thousandth of the sphere. The luminance of the irradiance over
-   pi facing up is 1. */
+   that give nine tenths of the light from less than a thousandth of the sphere. The luminance of the irradiance over pi
+   facing up is 1. */
 static void street_radiance(const float d[3], double rgb[3])
 {
     static const double sky[3] = { 0.016, 0.017, 0.026 }, haze[3] = { 0.13, 0.092, 0.058 },

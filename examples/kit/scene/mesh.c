@@ -218,7 +218,7 @@ static int same(const corner *a, const corner *b) { return a->flat[0] == b->flat
 static int flatten(corner *c, int count)
 {
     double n[3] = { 0 }, turned = 0;
-    for (int k = 0; k < count; ++k)        /* Newell's normal, about corner 0 to keep the digits */
+    for (int k = 0; k < count; ++k)        /* Newell's normal, relative to corner 0 for precision */
         for (int i = 0; i < 3; ++i) {
             const float *o = c[0].position, *p = c[k].position, *q = c[(k + 1) % count].position;
             const int u = (i + 1) % 3, v = (i + 2) % 3;
@@ -268,7 +268,7 @@ static int add_polygon(obj *o)
         }
         failed = add_triangle(o, &c[a], &c[b], &c[d]);
         c[a].next = d;
-        a = d;                             /* moving on avoids fans of slivers */
+        a = d;                             /* continuing at the next corner avoids fans of slivers */
         tries = 0;
         --count;
     }

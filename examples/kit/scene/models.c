@@ -241,7 +241,7 @@ static int take_answer(answer *a, kit_mesh *mesh, kit_object **object, int from)
 static int ended(int status, const char *path, const char *format, kit_error *err)
 {
     if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
-        return kit_fail(err, "%s: is %s that Assimp %s has no end with, or no memory for", path, format,
+        return kit_fail(err, "%s: is %s that Assimp %s does not finish, or has no memory for", path, format,
                         kit_assimp_version());
     return kit_fail(err, "%s: is %s that Assimp %s fails on: it may be damaged", path, format, kit_assimp_version());
 }

@@ -187,7 +187,7 @@ void kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, doub
                 face[k][v] = cv[at] ? high[v] - bevel : low[v] + bevel;
             }
             kit_quad(b, (const double(*)[3])face);
-            for (int other = 0; other < 2; other++) { /* the edges to the faces of the next axis */
+            for (int other = 0; other < 2; other++) { /* the bevels to the faces of the next axis */
                 const double a = side ? high[axis] : low[axis], in_a = side ? a - bevel : a + bevel,
                              o = other ? high[u] : low[u], in_o = other ? o - bevel : o + bevel;
                 const int flip = side == other;

@@ -63,7 +63,7 @@ void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
         nearest = fmin(nearest, depth);
         farthest = fmax(farthest, depth);
     }
-    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing before the camera */
+    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing is in front of the camera */
     if (flat) {
         const double spare = 0.01 * (farthest - fmin(fmax(nearest, 0), 0.9 * farthest));
         if (!(camera->zfar > 0)) camera->zfar = (float)(fmax(farthest, (double)camera->znear) + spare);

@@ -142,7 +142,7 @@ static void env_direction(const kit_truth *job, const float at[2], float d[3])
     kit_env_direction(env, kit_pick(column, cells[0], at[0]) / parts, y / parts, d);
 }
 
-static double env_density(const kit_truth *job, const float d[3])       /* of env_direction, per unit of solid angle */
+static double env_density(const kit_truth *job, const float d[3])       /* probability density of env_direction */
 {
     const kit_image *env = job->env;
     const int *cells = job->env_cells, parts = cells[0] / env->width;

@@ -52,7 +52,7 @@ int kit_image_places(kit_image *out, const kit_image *frame, const kit_camera *c
     float view[16], projection[16], *edge;
     kit_camera c = *camera;
     kit_image image;
-    if (!z) return kit_fail(err, "frame: channel Z is missing; edges are told by it");
+    if (!z) return kit_fail(err, "frame: channel Z is missing; edges are found by it");
     if (kit_image_new(&image, width, height, "edge,border,interior", err)) return -1;
     c.width = width;
     c.height = height;

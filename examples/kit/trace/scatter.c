@@ -14,7 +14,7 @@ typedef struct scattering {
     /* position, irradiance over pi: 4 floats each; once all are made, only lit samples */
     float *sample;
     size_t samples;
-    float  per_unit, table[REFLECTANCES][4];    /* entries a world unit; values times a sample's area, fourth 0 */
+    float  per_unit, table[REFLECTANCES][4];    /* entries per world unit; reflectance times a sample's area, and 0 */
 } scattering;
 
 static void scatter_place(void *context, int block)

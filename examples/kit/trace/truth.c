@@ -124,7 +124,7 @@ void kit_place_of(const kit_mesh *mesh, const ssgi_hit *hit, const float directi
     float p[3], face[3], magnitude = 0;
     double d[3], e[3], f[3], normal[3], shading[3];
     for (int i = 0; i < 3; ++i) {
-        p[i] = w[0] * c[i] + w[1] * c[3 + i] + w[2] * c[6 + i];     /* more exact than origin + t direction */
+        p[i] = w[0] * c[i] + w[1] * c[3 + i] + w[2] * c[6 + i];     /* more precise than origin + t direction */
         shading[i] = (double)(w[0] * cn[i] + w[1] * cn[3 + i] + w[2] * cn[6 + i]);
         d[i] = (double)direction[i];
         e[i] = (double)c[3 + i] - (double)c[i];

@@ -379,7 +379,7 @@ static void list_chains(void)
         printf("%-14s%s%s\n", name, *chain_about(name) ? " " : "", chain_about(name));
 }
 
-/* Every pass, dialect (or one alone, >= 0) and choice; every chain that has a name. */
+/* Writes every pass and choice in every dialect (or in one, >= 0), and every chain that has a name. */
 static int write_all(const char *folder, int alone, kit_error *err)
 {
     if (make_folder(folder, err)) return -1;

@@ -289,7 +289,7 @@ static int take(options *o, const char *name, const char *text, kit_error *err)
 static int check_frames(const options *o, kit_error *err)
 {
     const int many = o->sequence || o->frames;
-    if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
+    if (o->frames && !o->scene) return kit_fail(err, "--frames: needs a scene; for frames in files use --sequence");
     if (o->has_slide && !o->scene)
         return kit_fail(err, "--slide: needs a scene; a frame has no objects");
     if (o->still && (many || o->truth || o->floor || o->time))
@@ -302,9 +302,9 @@ static int check_frames(const options *o, kit_error *err)
         if (fabs(o->slide[i]) * o->frames > 1e14)
             return kit_fail(err, "--slide: in %d frames the object would be beyond 1e14", o->frames);
     if (many && (o->truth || o->floor || o->score || o->time || o->save || o->planned))
-        return kit_fail(err, "%s: writes a method's pictures alone", o->frames ? "--frames" : "--sequence");
+        return kit_fail(err, "%s: only writes a method's pictures", o->frames ? "--frames" : "--sequence");
     if (many && !render_numbered(NULL, 0, o->out ? o->out : "", 0))
-        return kit_fail(err, "--out %s: a picture a frame needs a %%04d in it", o->out ? o->out : "");
+        return kit_fail(err, "--out %s: needs a %%04d, for one picture a frame", o->out ? o->out : "");
     return 0;
 }
 
@@ -326,19 +326,19 @@ static int check_source(const options *o, kit_error *err)
         return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
     if (o->gbuffer && o->truth)
-        return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
+        return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (see --floor)");
     if (o->gbuffer && o->flat)
-        return kit_fail(err, "--flat: needs a scene; --set normal=depth is of a frame's faces");
+        return kit_fail(err, "--flat: needs a scene; for a frame use --set normal=depth");
     if (o->gbuffer && o->guess) return kit_fail(err, "--radius guess: needs a scene; a frame has no mesh");
     if (!o->gbuffer && (o->layer || o->channels))
-        return kit_fail(err, "--%s: is of a frame (--gbuffer)", o->layer ? "layer" : "channel");
+        return kit_fail(err, "--%s: needs a frame (--gbuffer)", o->layer ? "layer" : "channel");
     if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
     if (o->has_near && o->zfar > 0 && !(o->znear < o->zfar))
         return kit_fail(err, "--far %g: must be beyond --near %g", o->zfar, o->znear);
     if (o->has_near && !(o->znear > 0) && !(o->ortho_height > 0 && o->scene))
         return kit_fail(err, "--near %g: must be above 0: only a scene's orthographic camera (--ortho-height) sees "
-                             "what is behind its eye", o->znear);
+                             "behind its eye", o->znear);
     return 0;
 }
 

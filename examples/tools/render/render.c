@@ -76,7 +76,7 @@ int render_open_settings(job *j, kit_error *err)
     if (!j->method.lit && !o->planned && (o->env || o->lights))
         return kit_fail(err, "%s: method %s is not lit; ssdo is", o->env ? "--env" : "--light", j->method.name);
     if ((j->method.lit || j->method.between) && o->floor)
-        return kit_fail(err, "--floor: is of ambient visibility within a radius; this method has none");
+        return kit_fail(err, "--floor: needs a method of ambient visibility within a radius");
     if (o->colours && (j->method.lit || o->planned))
         return kit_fail(err, "--colours: is of a method of ambient visibility%s", o->planned ? ", not of --plan" : "");
     if (j->method.lit && !o->planned && !o->gbuffer && !o->env && !o->lights && !kit_scene_seeded(o->scene))

@@ -9,12 +9,12 @@
 enum { RENDER_SETS = 32 };
 
 typedef struct options {
-    /* what to draw: a scene, a frame, or a list of frames */
+    /* the input: a scene, a frame, or a list of frames */
     const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
     const char *layer, *channel[RENDER_SETS];          /* for another program's frame */
     int         channels, lights, ground, flat, frames, still, width, height;
     double      turn, strength;            /* of env */
-    double      orbit;                     /* degrees a frame */
+    double      orbit;                     /* degrees for each frame */
     int         has_camera, has_up, has_near, has_slide;
     double      slide[3];                  /* a frame */
     double      camera[6], up[3];          /* eye, target */
@@ -23,11 +23,11 @@ typedef struct options {
     const char *method, *set[RENDER_SETS], *context;
     int         sets, truth, floor;        /* rays; 0: not asked for */
     double      radius;                    /* 0: the scene's own, or a guess */
-    int         guess;                     /* 1: by its mesh's maxima of y */
+    int         guess;                     /* 1: guessed from the local maxima of the mesh's y */
     int         planned;                   /* SSGI_PLAN_WANTED_.. plus 1; 0: not asked for */
     double      plan[2];                   /* error, budget */
     int         plan_in_ms;                /* the budget is milliseconds of an RX 6800 */
-    /* what comes out */
+    /* the output */
     const char *out, *score, *save, *listed;
     int         time, json, list, help, version, colours, backdrop;
 } options;
@@ -93,7 +93,7 @@ int  render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int li
 
 /* ---- >>frames */
 
-/* A picture a frame, written as it is drawn; each run takes over the last one's history. */
+/* Draws a picture for each frame and writes it at once; each run takes over the last run's history. */
 int  render_play(job *j, kit_error *err);
 
 #endif

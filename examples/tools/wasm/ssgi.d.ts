@@ -15,7 +15,7 @@ export interface Row {
   type: string;
   /** TEXTURE: unit. OUTPUT, ATTRIBUTE: location. CONSTANT: value. PARAM: binding of its block */
   slot: number;
-  /** PARAM: byte in the block */
+  /** PARAM: byte offset in the block */
   offset: number;
   format: string;
   /** VULKAN: the descriptor set of a TEXTURE, of the block of a PARAM, of the image of a compute stage's OUTPUT */

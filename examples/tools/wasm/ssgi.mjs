@@ -24,7 +24,7 @@ const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER
 const results = ['NONE', 'LIGHT', 'BOUNCE'], scales = ['FULL', 'HALF', 'LEVELS', 'TILES', 'QUARTER'];
 const clips = ['GL', 'ZERO'], lamps = ['SUN', 'POINT', 'SPOT', 'VPL'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
-const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
+const memoryMost = 0x7fff0000;                                                  /* addresses are signed */
 const rowsMost = 16384;                                                         /* of a texture */
 
 /* ---- checks of arguments that the library cannot make */
@@ -152,7 +152,7 @@ export class Ssgi {
         });
     }
 
-    /* Functions by which your own shaders read the result of the step with this desc: ssgi_gl_read. */
+    /* GLSL functions by which your own shaders read the result of the step with this desc: ssgi_gl_read. */
     read(desc) {
         return this.#scope(() => {
             const d = this.#good(desc), text = this.#written((out, room) => this.#c.ssgi_gl_read(out, room, d));

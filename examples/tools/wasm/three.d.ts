@@ -13,7 +13,7 @@ export interface Options extends Desc {
   ambient?: boolean;
   /** default false; true: 16 frames are averaged */
   history?: boolean;
-  /** multisampling of opaque edges; default 0 */
+  /** multisampling: the samples of a pixel at opaque edges; default 0 */
   samples?: number;
   /** default 1: the result is filtered; 0: it is not */
   blur?: 0 | 1;

@@ -15,7 +15,7 @@ const both = 3;                                     /* visible in VERTEX and FRA
 const of = (rows, kind) => rows.filter(row => row.kind === kind);
 
 /* A chain of a manifest as a plan without code; sizes: of its textures. */
-export function planOf(manifest, chain, sizes = chain.textures.map(({ size }) => size)) {
+export function planOf(manifest, chain, sizes = chain.textures.map(({ scale }) => scale)) {
     const formatOf = texture => (texture < 0 ? 'rgba16float'        /* your picture */
         : manifest.formats[chain.textures[texture].format].webgpu);
     return {
