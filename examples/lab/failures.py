@@ -21,7 +21,7 @@ SIZE = "--size 480x270"
 
 
 def said(program, line):
-    at = ROOT if program == STABILITY else None  # its causes are a file of the tree
+    at = ROOT if program == STABILITY else None  # causes.csv is found from there
     return subprocess.run([program] + line.split(), check=True, capture_output=True, text=True, cwd=at).stdout
 
 

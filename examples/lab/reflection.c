@@ -1,12 +1,12 @@
-/* reflection.c - which light ambient visibility dims, on scenes by seed: ssgi_interreflected beside path-traced white
-   rooms, ssgi_specular_visibility beside traced glossy lobes.
+/* reflection.c - ways to dim reflected light by ambient visibility, on scenes by seed: ssgi_interreflected beside
+   path-traced white rooms, ssgi_specular_visibility beside traced glossy lobes.
 
       build/reflection [--from 1000] [--count 14]
 
-   A row is a way to dim light, the columns are albedos of rooms and roughnesses of lobes; errors are shares of
-   that of dimming nothing, means over the scenes. Visibility and bent normals are once traced, so that the formulas
-   alone err, and once drawn by hsao and by s3ho's coefficients of 2 bands. Pictures are 1280x720; truth is traced at
-   every 22nd pixel both ways, by 128 rays. */
+   A row is a way to dim light; the columns are albedos of rooms and roughnesses of lobes. Errors are relative to that
+   of light that is not dimmed, as means over the scenes. Visibility and bent normals are once traced, which shows the
+   formulas' own error, and once drawn by hsao and by s3ho's coefficients of 2 bands. Pictures are 1280x720; the truth
+   is traced at every 22nd pixel both ways, by 128 rays. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,11 +17,11 @@ static const float albedos[] = KIT_REFLECTED_ALBEDOS, roughnesses[] = KIT_REFLEC
 enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof roughnesses / sizeof *roughnesses),
        LIGHTS = ALBEDOS + LOBES };
 
-/* Visibility and cosines at a pixel, traced and drawn. */
+/* Visibility and cosines at a pixel; [0]: traced, [1]: drawn. */
 typedef struct seen { double visibility[2], bent[2], normal; } seen;
 enum { TRACED, DRAWN };
 
-/* NORMAL, BENT: by the functions of ssgi.h, about that direction. */
+/* NORMAL, BENT: by the functions of ssgi.h, about the normal or about the bent normal. */
 typedef enum manner { NOTHING, PLAIN, STRONG, NORMAL, BENT } manner;
 static const struct { const char *name; int by; manner how; } ways[] = {
     { "nothing is dimmed", TRACED, NOTHING },
@@ -46,7 +46,7 @@ static double dimmed(const seen *s, int light, int by, manner how)
                                             roughnesses[light - ALBEDOS]);
 }
 
-/* The cosine of the mirrored view direction to the direction of bands 0 and 1; view space. */
+/* The cosine between the mirrored view direction and the bent normal of bands 0 and 1, in view space. */
 static double cosine_to_bent(const kit_camera *camera, const kit_image *frame, const float *coefficient, int x, int y)
 {
     const size_t i = (size_t)y * WIDTH + (size_t)x;
@@ -64,7 +64,7 @@ static double cosine_to_bent(const kit_camera *camera, const kit_image *frame, c
     return kit_dot(ray, bent) - 2 * kit_dot(ray, n) * kit_dot(n, bent);
 }
 
-/* The coefficients that s3ho's filter wrote, rows bottom-up. */
+/* The coefficients that s3ho's filter wrote, the bottom row first. */
 static int coefficients_of(float *out, stage *s, kit_error *err)
 {
     kit_run run;
@@ -82,7 +82,7 @@ static int coefficients_of(float *out, stage *s, kit_error *err)
     return failed ? -1 : 0;
 }
 
-/* Squared errors of a scene: sum[way][light]. */
+/* Adds up the squared errors of a scene: sum[way][light]. */
 static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
 {
     static float coefficient[4 * WIDTH * HEIGHT];

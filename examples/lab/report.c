@@ -1,19 +1,19 @@
-/* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
+/* report.c - the laboratory's charts: pictures beside the truth, and speed against accuracy.
 
-      build/report demo, chart, light, seeds, papers, fit or plan; alone it prints what each takes
+      build/report COMMAND ..     demo, chart, light, seeds, papers, fit or plan; alone it prints the options of each
 
-   Each writes a record of its name, demo.js, beside index.html, which shows all that are there.
-   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too, and with
-   neither --scene nor --method scenes by seed and the plan. --method: the rows of methods whose names begin so. --from:
-   the first seed; those below 1000, which settings may be tuned on, end there, and their files are called seeds-fit.
-   --commit: its hash draws half of the scenes by seed.
-   Truth is kept under build/cache/, and so is what an interrupted chart has measured: the same command goes on from
-   there. Bad input, or a write that fails: one line on stderr, status 2.
+   Each command writes a record of its name, such as demo.js, beside index.html, which shows all records that are there.
+   With --mesh or --scene only ambient occlusion is measured; else light, fields and deep screen space, too. Without
+   --scene and --method the scenes by seed and the plan are measured, too. --method: only methods whose names begin so.
+   --from: the first seed. Seeds below 1000 may serve to tune settings; they are never mixed with later ones, and
+   their files are called seeds-fit. --commit: a commit whose hash draws half of the scenes by seed.
+   Truth is kept under build/cache, and so are an interrupted chart's results, which the same command continues. Bad
+   input, or a write that fails: one line on stderr, status 2.
 
-   Here are the commands, which put sections into records; a section is a table of chart/, a paper one of papers/, which
-   sets up some of its stages as chart/ does. Below them lies page/: how records, tables and pictures are written, what
-   is kept of a chart that is not whole, and the page that shows them; below that measure/: scenes and their truth,
-   methods drawn, scored and timed. Nothing calls upward; no section calls another. */
+   report.c puts sections into records. A section is a table of chart/, a paper one of papers/, which sets up some of
+   its stages as chart/ does. Below lies page/: how records, tables and pictures are written, the results of a chart
+   that is not complete, and the page that shows them. Below that lies measure/: scenes and their truth; methods drawn,
+   scored and timed. Nothing calls upward; no section calls another. */
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,7 +43,7 @@ static int end(page *record, const options *o, const char *name, kit_error *err)
     return page_end(record, o->out, name, err);
 }
 
-/* Sections of a record, and their text. */
+/* Measures sections into a record and prints their text. */
 static int sections(FILE *record, const section *const *c, int count, const options *o, kit_error *err)
 {
     for (int k = 0; k < count; ++k) {
@@ -74,7 +74,7 @@ static int demo(const options *o, kit_error *err)
                : 0;
 }
 
-/* What --method names must be there. */
+/* Fails if --method names no known method. */
 static int check_asked(const options *o, kit_error *err)
 {
     kit_method m;
@@ -90,7 +90,7 @@ static int check_asked(const options *o, kit_error *err)
                : 0;
 }
 
-/* Of some scenes ambient occlusion alone; of some methods neither seeds nor the plan. */
+/* With --scene ambient occlusion alone; with --method neither seeds nor the plan. */
 static int chart(const options *o, kit_error *err)
 {
     static const section *const all[] = { &ao_chart, &lit_chart, &fields_chart, &deep_chart, &seeds_chart };
@@ -105,13 +105,13 @@ static int chart(const options *o, kit_error *err)
     return end(&record, o, "chart", err);
 }
 
-/* Scenes by seed are not timed, so that several are measured at once. */
+/* Scenes by seed are not timed, so several are measured at once. */
 static int chart_ahead(const options *o, kit_error *err)
 {
     return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
 }
 
-/* A section alone. */
+/* A record of one section. */
 static int alone(const section *c, const char *name, const char *command, const options *o, kit_error *err)
 {
     page record;
@@ -152,7 +152,7 @@ static int plan(const options *o, kit_error *err)
     return end(&record, o, "plan", err);
 }
 
-/* What five papers print, and the same drawn here on a comparable scene. */
+/* The tables and figures of five papers, beside those of comparable scenes drawn here. */
 static int papers(const options *o, kit_error *err)
 {
     page record;
@@ -169,7 +169,7 @@ static int papers(const options *o, kit_error *err)
 
 static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
 
-/* What a command takes beside --out and --context. ahead: what it does before there is a GL context; NULL: nothing. */
+/* The options of a command beside --out and --context. ahead: runs before there is a GL context; NULL: nothing. */
 enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, COMMIT = 64 };
 typedef int step(const options *o, kit_error *err);
 static const struct command { const char *name, *about; int takes; step *run, *ahead; } commands[] = {
@@ -181,8 +181,8 @@ static const struct command { const char *name, *about; int takes; step *run, *a
     { "fit", "what the plan's table is fitted to, by fit.c: plan-fit.csv", MESH, fit, plan_fit_ahead },
     { "plan", "the plan on views that it was not fitted on: plan.csv", MESH, plan, plan_ahead }
 };
-/* of: the commands that take it; what: of its value, NULL: it has none; most: of a number, 0: it is a text; at: its
-   place in options. */
+/* of: the commands that take the option; what: its value in the usage, NULL: it has none; most: its limit as a number,
+   0: it is a text; at: its member of options. */
 static const struct argument { const char *name, *what; int of, most; size_t at; } arguments[] = {
     { "--out",     "FOLDER",                0,      0,          offsetof(options, out) },
     { "--context", "osmesa | egl | egl-es", 0,      0,          offsetof(options, context) },

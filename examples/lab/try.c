@@ -1,22 +1,21 @@
-/* try.c - settings tried on scenes by seed, for whoever tunes: the error of each over that of doing nothing, its noise,
-   and how it differs from the first, scene by scene.
+/* try.c - settings tried on scenes by seed, for tuning: the relative error of each, its noise, and the difference to
+   the first one, scene by scene.
 
       build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
                 [--scenes random:KIND | models] [--judge yes] [--quick] METHOD[:key=value,..] ..
 
-   Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused without --judge. --light: of
-   irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
-   settings as another build measured them, in the order given; so a change of the headers is tried in two work trees.
-   Pictures are 1280x720, truth at every eleventh pixel both ways, kept under build/cache. A process a core.
+   Charts report on seeds from 1000 on. Nobody may tune on these, so they are refused without --judge. --light: errors
+   of irradiance under the scenes' own environments, without a bounce; --bounce: of one bounce alone. --against: a csv
+   of the same settings in the same order by another build; so a change of the headers is tried in two work trees.
+   Pictures are 1280x720; the truth is at every eleventh pixel both ways, and kept in build/cache. One process a core.
 
-   Noise, and error by the same bands, of visibility where a surface is smooth and in shade (lab/measure/bands.h), in
-   thousandths: bands to 1.2, 3, 8 and 20 pixels. Noise is what two phases differ by; of light what the same settings
-   differ by from 32 slices, over the light's mean. Error is of two truths at every pixel, without their noise.
-   --quick: the error alone. csv: seed, then of each setting the error, four bands of noise, four of error; nan: not
-   measured.
-
-   --scenes random:halls: of one kind alone; models: those of packages, one a seed; model:bunny: that one.
-   examples/lab/ranks.py says how alike two such csv rank. */
+   Noise and error in bands are of visibility on smooth surfaces in shade (lab/measure/bands.h), in thousandths. The
+   bands go to 1.2, 3, 8 and 20 pixels. Noise is the difference of two phases; of light it is the difference to the same
+   settings with 32 slices, over the mean light. The error is that against two truths at every pixel, without their
+   noise. --quick: the relative error alone. csv: seed, then for each setting the relative error, four bands of noise,
+   four of error; nan: not measured.
+   --scenes random:halls: of one kind alone; models: of packages, one for each seed; model:bunny: that one.
+   examples/lab/ranks.py compares how two such csv rank the settings. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +43,7 @@ typedef struct trial {
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
-/* Of visibility, of irradiance, or of what one bounce brings. */
+/* The error of visibility, of irradiance or of one bounce. */
 static double error_of(const stage *s, const kit_image *picture, kit_error *err)
 {
     row r = row_blank(0, s->name, "", "", "");
@@ -52,7 +51,7 @@ static double error_of(const stage *s, const kit_image *picture, kit_error *err)
     return s->lit ? r.error[s->lit->bounce ? 2 : 1] : r.score.rmse;
 }
 
-/* Of "models" each seed has another one, and the camera by it. */
+/* With "models" the seed chooses the model, and the camera. */
 static int name_scene(char name[128], const char *scenes, int seed, kit_error *err)
 {
     snprintf(name, 128, "%s:%d", scenes, seed);
@@ -61,7 +60,7 @@ static int name_scene(char name[128], const char *scenes, int seed, kit_error *e
              : kit_fail(err, "--scenes models: no package has brought any: make model-deps");
 }
 
-/* Light, or its bounce, as one channel over its mean. */
+/* Irradiance or its bounce as one channel, divided by its mean. */
 static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_error *err)
 {
     const size_t pixels = (size_t)light->width * (size_t)light->height;
@@ -78,7 +77,7 @@ static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_e
     return 0;
 }
 
-/* Of slices alone: others have none that could be more. */
+/* The noise of slices; other methods do not have more of them, and are left out. */
 static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m, const kit_image *picture,
                           kit_error *err)
 {
@@ -153,7 +152,7 @@ static int measure_one(void *of, int seed, kit_error *err)
     return measure_seed(t, seed - t->from, err);
 }
 
-/* In a process a core; then what these did not, which says why. */
+/* Measures in one process a core. Seeds that failed there are measured once more here, and the error says why. */
 static int measure_all(trial *t, kit_error *err)
 {
     const ahead a = { "seeds", NULL, t->from, t->count, NULL, measure_one, t };
@@ -168,8 +167,7 @@ static int measure_all(trial *t, kit_error *err)
 
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
 
-/* Of the errors of column i, less those of column from (below 0: of nothing), where seeds are of a kind (below 0:
-   all). */
+/* Errors of column i, less those of column from (unless below 0), over seeds of a kind (below 0: of all kinds). */
 static spread errors_of(const trial *t, int i, int from, int kind)
 {
     double value[MOST_SEEDS];
@@ -180,7 +178,7 @@ static spread errors_of(const trial *t, int i, int from, int kind)
     return spread_of(value, t->count);
 }
 
-/* Bands of noise or of error, in thousandths, over the scenes where they are known; and how they differ. */
+/* Prints bands of noise or error, in thousandths, over scenes where they are known, and the difference to from's. */
 static void print_bands(const trial *t, int i, int from, int first, const char *what)
 {
     static double own[MOST_SEEDS], other[MOST_SEEDS];
@@ -230,7 +228,7 @@ static int write_csv(const trial *t, kit_error *err)
     return fclose(f) ? kit_fail(err, "%s: cannot be written", t->out) : 0;
 }
 
-/* Another build's figures go into the columns from MOST_TRIED on. */
+/* Reads another build's figures into the columns from MOST_TRIED on. */
 static int read_other(trial *t, kit_error *err)
 {
     FILE *f = fopen(t->other, "r");

@@ -1,4 +1,4 @@
-/* page.c - files that reach the disk whole, and records, which a page is made of. Declared in page.h. */
+/* page.c - files that reach the disk whole, and the records that the page shows. Declared in page.h. */
 #include "lab/page/page.h"
 #include <stdarg.h>
 #include <stdlib.h>
@@ -32,7 +32,7 @@ void page_into(page *p, FILE *f)
     free(p->text);
 }
 
-/* A command's first line, without its end; "" if there is none. */
+/* The first line of a command's output, without its end; "" if there is none. */
 static void line_of(char *out, int size, const char *command)
 {
     FILE *f = popen(command, "r");
@@ -70,7 +70,7 @@ int page_begin(page *p, const char *name, const char *kind, const char *command,
     return 0;
 }
 
-/* What the page is, beside the records. Charts need the last two, which make page-deps takes from npm. */
+/* Copies the page's files beside the records. Charts need the last two, which make page-deps takes from npm. */
 static int copy_page(const char *folder, kit_error *err)
 {
     static const char *const from[] = { "examples/lab/page/index.html", "examples/lab/page/report.js",

@@ -1,15 +1,15 @@
-/* stability.c - where methods fail: each is swept through a cause of failure, and its error or flicker plotted against
-   it.
+/* stability.c - where methods fail: each method is swept through causes of failure, and its error or flicker is plotted
+   against each.
 
-      build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     stability.csv, pictures of each
-         cause, which index.html shows, a table at the end
+      build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     writes stability.csv and
+         pictures of each cause, which index.html shows, and prints a table
 
       build/stability --moves [--scene NAME]... [--method METHOD[:SETTINGS]]... [--kind NAME]... [--from SEED]
-         [--width 640] [--rays 64]     how steady methods are while a camera moves past what stands still: a table
+         [--width 640] [--rays 64]     how steady methods are while a camera moves past a standing scene: a table
 
-   Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c holds what
-   is swept, sweep.c how it is measured, over shot.c's frames; maths.c sweeps the library's maths alone; show.c is what
-   all that becomes. */
+   Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c has the
+   methods and causes; sweep.c measures a sweep over shot.c's frames; maths.c sweeps the library's maths alone; show.c
+   shows the results. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
@@ -21,7 +21,7 @@
 #include "lab/stability/show.h"
 #include "lab/stability/sweep.h"
 
-/* Moves through scenes that nothing was tuned on, and frames as hosts make them, as tables. */
+/* Adds tables of moves through scenes that nothing was tuned on, and of frames as hosts make them. */
 static int add_moves(page *record, const sweep_options *o, kit_error *err)
 {
     for (int hosts = 0; hosts < 2; ++hosts) {
@@ -43,7 +43,7 @@ static int add_moves(page *record, const sweep_options *o, kit_error *err)
     return 0;
 }
 
-/* The record and the CSV of all that was swept. */
+/* Writes the record and the CSV of all sweeps. */
 static int write_all(const sweep_options *o, const result *results, const int *shown, kit_error *err)
 {
     page record, csv;
