@@ -1,4 +1,4 @@
-/* demo.mjs - make demo-test: the page that make demo wrote, as it opens, at a desk and on a phone. */
+/* demo.mjs - make demo-test: the page of make demo, opened in a wide window and on a phone. */
 import { check, end, launch, note, run, serve } from './web-kit.mjs';
 
 const browser = await launch(), root = await serve('report');
@@ -57,7 +57,7 @@ await run('other pages are reached from it and lead back; one that is not there 
     const text = await page.$eval('main', e => e.innerText);
     for (const name of ['seeds', 'stability', 'papers'])
         check(await page.$(`nav a[href='#${name}']`) || text.includes(`make ${name}`), name);
-    const there = of => page.waitForSelector(of, { timeout: 5000 });        /* a click's address is followed later */
+    const there = of => page.waitForSelector(of, { timeout: 5000 });        /* the page follows the address later */
     const click = of => page.locator(of).setTimeout(5000).click();          /* waits until the element stands still */
     await click("nav a[href='#chart']");
     await click("a[href='#chart/another']");

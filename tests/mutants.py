@@ -13,7 +13,7 @@ import os, random, re, shutil, subprocess, sys, threading, time
 
 LIST, COPIES = "tests/mutants.txt", "build/mutants"
 HEADERS = ("ssgi.h", "ssgi_gl.h")
-LIMIT = 240  # seconds: a test that an edit keeps from ending has noticed it
+LIMIT = 240  # seconds; an edit that keeps a test from ending counts as noticed
 
 
 def groups_of_rooms():
@@ -167,7 +167,7 @@ def copy_tree(folder):
     os.makedirs(folder, exist_ok=True)
     files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], text=True,
                            stdout=subprocess.PIPE, check=True).stdout.split("\0")
-    for where, inside, names in os.walk(folder):       # files that the tree lost: the Makefile would take them
+    for where, inside, names in os.walk(folder):       # not in the tree any more: the Makefile would compile them
         inside[:] = [name for name in inside if os.path.join(where, name) != folder + "/build"]
         for name in names:
             if os.path.relpath(os.path.join(where, name), folder) not in files:
@@ -244,7 +244,7 @@ def main(arguments):
     for w in workers:
         w.join()
     if left:
-        return 1                                           # a worker ended before its time: its traceback says why
+        return 1                                           # a worker ended early: its traceback says why
     struck = sum(m["verdict"].startswith("struck:") for m in mutants)
     caught = sum(m["verdict"].startswith("caught") for m in mutants)
     print("%d of %d caught, %d struck; %d tried in %.0f s"

@@ -1,5 +1,5 @@
-/* order.c - prints, by the names of passes, what the library makes of each: text, preset, steps. order.sh compares two
-   orders of their enum. */
+/* order.c - prints each pass by its name, with its text, preset and steps. order.sh compares two orders of their
+   enum. */
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #include "ssgi_gl.h"

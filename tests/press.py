@@ -24,7 +24,7 @@ def shown(below):
 
 
 def send(kind, mask, detail=0, at=(0, 0), state=0):
-    time.sleep(0.002)    # what a window takes for two presses of a key has two times
+    time.sleep(0.002)    # a window notices two presses of one key by their times
     now = int(time.monotonic() * 1000) & 0xffffffff
     window.send_event(kind(time=now, root=root, window=window, child=X.NONE, same_screen=1, root_x=0, root_y=0,
                            event_x=at[0], event_y=at[1], state=state, detail=detail), event_mask=mask)
@@ -60,7 +60,7 @@ def title():
 
 def grab(path):
     size = window.get_geometry()
-    shot = window.get_image(0, 0, size.width, size.height, X.ZPixmap, 0xffffffff).data    # blue, green, red, nothing
+    shot = window.get_image(0, 0, size.width, size.height, X.ZPixmap, 0xffffffff).data    # blue, green, red, padding
     rgb = bytearray(3 * size.width * size.height)
     for channel in range(3):
         rgb[channel::3] = shot[2 - channel::4]
