@@ -250,7 +250,7 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     ssgi_gl_light light;
     const char *why = NULL;
     ssgi_extra_displacement(displacement, (int)(count % 4));
-    for (int k = 0; k < 2; ++k) {                          /* [0]: hardly ever rigid; [1]: all but its shift */
+    for (int k = 0; k < 2; ++k) {                          /* 0: hardly ever rigid; 1: rigid */
         if (ssgi_extra_camera(to, projection, k ? turn : f, f + 3, last[5], k && count % 2 ? displacement : last, &why)
             != SSGI_OK)
             MUST(strchr(why, ':'));
