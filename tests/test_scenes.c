@@ -540,8 +540,7 @@ static const struct { const char *name; double scale, most; int rmse, needs, lin
                    { "an oblique near plane", 1, 0.003, 1, BARE, 0, 1.5f, NULL },
                    { "upside down", 1, 0.001, 0, BARE, 0, 1.5f, NULL } };
 
-/* Two textures of four samples, which the gather reads: the first sample is the G-buffer's, and the others are
-   nonsense. */
+/* Two textures of four samples for the gather: the first sample is the G-buffer's, and the others are nonsense. */
 static int sampled(GLuint texture[2], const kit_gbuffer *g)
 {
     static const char *const source[2] = {

@@ -36,8 +36,7 @@ static int all_finite(const kit_mesh *m)
     return 1;
 }
 
-/* What a camera shows: the share of pixels that rays hit, and the radius over the picture's height at the median
-   depth. */
+/* What a camera shows: the share of pixels with a hit, and the radius over the picture's height at the median depth. */
 static void seen(const kit_scene *s, double *share, double *reach)
 {
     enum { ACROSS = 48, DOWN = 27 };

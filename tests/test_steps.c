@@ -751,8 +751,7 @@ static void widths(void)
     CHECK(fetches[0] > 1 && fetches[0] == fetches[1], "%d fetches with widths, %d without", fetches[1], fetches[0]);
 }
 
-/* The formats of steps are among those that the rows of their outputs name, and inputs are at the units of their
-   rows. */
+/* The formats of steps are among those in the rows of their outputs, and inputs are at the units of their rows. */
 static void formats(void)
 {
     static const char *const chains[] = {
@@ -767,7 +766,7 @@ static void formats(void)
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
         const ssgi_gl_format *const last = step[n > 0 ? n - 1 : 0].output[0].format;
         CHECK(n > 0, "%s: %s", chains[i], why);
-        if (!strcmp(last->name, "R8")) { /* RGBA8 only holds it */
+        if (!strcmp(last->name, "R8")) { /* or RGBA8, for it alone */
             chain.rgba8 = 1;
             ssgi_gl_steps(step, STEPS, &chain, &why);
             CHECK(step[n - 1].output[0].format->internal == GL_RGBA8 && (n < 2 || step[0].output[0].format->bytes != 4
