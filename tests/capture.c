@@ -55,7 +55,7 @@ static struct {
     int writes;
 } all;
 
-/* ---- what is written --------------------------------------------------------------------------------------------- */
+/* ---- writing ----------------------------------------------------------------------------------------------------- */
 
 /* Writes data once, and returns its number, or -1. */
 static int put_data(const options *o, const void *data, size_t size, kit_error *err)

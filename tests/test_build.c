@@ -45,7 +45,8 @@ static void compilers(void)
                   modes[i].whole, text);
             continue;
         }
-        const char *const object = i ? "other.o" : "implementation.o";         /* what is linked from here on */
+        const char *const object = i ? "other.o" : "implementation.o";         /* the object to be linked from here
+                                                                                  on */
         const double before = t_spent(1);
         const int failed = shell(text, sizeof text, "%s -c implementation.c -o %s", compile, object)
                         || text[0];

@@ -13,7 +13,7 @@ static kit_error err;
 enum { W = 96, H = 54 };
 static const kit_lighting dark;
 
-/* ---- vectors: 16 coefficients of the clamped cosine times what is free ------------------------------------------- */
+/* ---- vectors: 16 coefficients of the clamped cosine times visibility --------------------------------------------- */
 
 static void basis(float y[16], const double d[3])
 {

@@ -55,7 +55,7 @@ static void caps(void)
                  { -1, 0.5, 0 },
                  { 13, -0.5, 1 },
                  { PI / 4, 1.5, 0.234375 },
-                 { PI / 4, -1.5, 0 } }; /* beyond the ends */
+                 { PI / 4, -1.5, 0 } }; /* arguments beyond the ends */
     double worst = 0;
     for (int i = 0; i < COUNT(rows); ++i)
         worst = fmax(worst, fabs(ssgi_cap_occlusion(rows[i].solid_angle, rows[i].cosine) - rows[i].occlusion));
@@ -188,7 +188,7 @@ static void cap_lights(void)
 #undef REFUSED
 }
 
-/* ---- >>field: what a bake is made of ----------------------------------------------------------------------------- */
+/* ---- >>field: the parts of a bake -------------------------------------------------------------------------------- */
 
 /* Exact solid angle and vector irradiance of a box about the origin, seen from p outside. Each visible face is two
    triangles [Oosterom, Strackee 1983] and four edges [Lambert]. */

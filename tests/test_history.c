@@ -8,7 +8,7 @@
 
 static kit_error err;
 
-/* ---- scripted sequences: what is kept, frame by frame, is known ----------------------------------------------- */
+/* ---- scripted sequences with known counts in each frame ------------------------------------------------------- */
 
 enum { W = 96, H = 54 };
 
@@ -273,7 +273,7 @@ static void little_is_forgotten(void)
     kit_scene_free(&scene);
 }
 
-/* ---- noise, motion, what is hostile ----------------------------------------------------------------------------- */
+/* ---- noise, motion, hostile input ------------------------------------------------------------------------------- */
 
 /* A run of a method on a built-in scene at a small size. */
 static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting, int width,

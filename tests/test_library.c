@@ -184,7 +184,7 @@ static void names(void)
     for (int r = 0; r < ROWS; ++r)         /* the emitter names that row: see >>library */
         CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_layer"), "row %s: nothing can name it",
               ssgi_gl__rows[r].io.name);
-    for (int r = 0; r < ROWS; ++r) {       /* your textures are where the emitter would add a slice */
+    for (int r = 0; r < ROWS; ++r) {       /* fetches at u_ssgi_origin get a slice, so they must be of your textures */
         char at[80];
         int fetched = 0;
         snprintf(at, sizeof at, "%s, p + u_ssgi_origin, 0", ssgi_gl__rows[r].io.name);
@@ -282,8 +282,7 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
     memcpy((char *)d + c->offset, &value, sizeof value);
 }
 
-/* Other languages rely on the tables: these have every member of the structs, and where 0 is a default the text
-   stays. */
+/* Other languages rely on the tables: these have every member of the structs, and a 0 gives the text of the default. */
 static void reflection(void)
 {
     const size_t ints = offsetof(ssgi_gl_desc, shader.version) / sizeof(int);

@@ -487,8 +487,7 @@ static void suns_shadow_what_they_should(void)
     }
 }
 
-/* In a closed box direct light is the truth at each pixel, and virtual lights bring what a bounce in the radius
-   lacks. */
+/* In a closed box direct light is the truth at each pixel, and virtual lights add the bounce from beyond the radius. */
 static void point_light_in_a_box(void)
 {
     enum { MAP, FILL, VIRTUAL, BOTH, NEAR_ALONE, WAYS };

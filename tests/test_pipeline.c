@@ -182,7 +182,8 @@ static void terms_of_the_march(void)
                 { "march_terms=normal,layers=3", 1, 0, 0.68, 0.7 },
                 { "march_terms=both,layers=3", 1, 0, 0.68, 0.7 },
                 { "march_terms=rays,layers=3", 1, 0, 0.68, 0.7 },
-                /* inside of a wall up to 45 degrees: half is occluded; normal rays find what the last step left */
+                /* inside of a wall up to 45 degrees: half is occluded; normal rays find the part that the last step
+                   left */
                 { "march_terms=horizon", 0, 1, 0.44, 0.5 },
                 { "march_terms=both", 0, 1, 0.48, 0.51 },
                 { "march_terms=rays", 0, 1, 0.48, 0.51 },

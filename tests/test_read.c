@@ -128,7 +128,7 @@ static void as_the_filter(void)
                 differ += !(off < 0.002);
                 worst = fmax(worst, off);
             }
-        /* where no texel shows the surface; at quarter resolution more often */
+        /* differences are where no texel shows the surface, which is more often at quarter resolution */
         SHOW(seen > W * H / 2 && differ <= seen / (strstr(s->set, "quarter") ? 100 : 1000),
              "%s %s: of %d pixels %d are not the filter's, by %.4f", s->method, s->set, seen, differ, worst);
         kit_run_close(&run);

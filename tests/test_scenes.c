@@ -110,7 +110,7 @@ static const double expected_beyond = 0.4;
 static void bars_cover_what_they_cover(void)
 {
     enum { AO, LIGHT /* of a white sky */, BOUNCE /* of the bars */, UNSEEN /* backs of one-sided bars */,
-           DARK /* the same, dark by a setting */, CLAMPED /* to a luminance of 0.25 */ };
+           DARK /* their backs are set to be dark */, CLAMPED /* to a luminance of 0.25 */ };
     /* the share of 1 that reaches the receiver: the library's of a back; clamped, of red */
     static const double of_it[] = { 1, 1, 1, 0.35, 0, 0.25 / (0.2126 + 0.5 * (0.7152 + 0.0722)) };
     static const char *const seen[] = { "occlusion", "light", "bounce", "bounce", "bounce", "bounce" };
@@ -163,7 +163,7 @@ static void bars_cover_what_they_cover(void)
     kit_image_free(&white.env);
 }
 
-/* ---- bare planes: nothing occludes, whatever looks for it -------------------------------------------------------- */
+/* ---- bare planes: nothing occludes, for any method --------------------------------------------------------------- */
 
 /* irradiance over pi on surfaces with these normals, three channels each */
 static void cosine_integrals(double (*out)[3], const kit_image *env, const double (*n)[3], int normals)
@@ -343,7 +343,7 @@ static void planes_stay_open(void)
     kit_image_free(&sky.env);
 }
 
-/* ---- rooms in perspective: what of their walls lies in the picture ---------------------------------------------- */
+/* ---- rooms in perspective: the parts of their walls that lie in the picture ------------------------------------- */
 
 /* The eye is at the origin and looks along -z. Walls n * x = n[3] enclose the inside. */
 typedef struct space { double fovy, near; int planes; double plane[5][4]; } space;

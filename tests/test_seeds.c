@@ -150,7 +150,7 @@ static void models_alone(void)
     }
 }
 
-/* ---- parts: the areas of closed ones, as vectors, sum up to none, and they hold a volume ------------------------ */
+/* ---- parts: the area vectors of closed ones add up to 0, and they hold a volume --------------------------------- */
 
 /* The length of that sum, over the whole area. */
 static double open_share(const kit_mesh *m, double *volume)
@@ -212,7 +212,7 @@ static void spreads(void)
     CHECK(alone.count == 1 && isnan(alone.half), "of one alone: +- %g", alone.half);
 }
 
-/* ---- two builds: what differs, and the rows that are compared --------------------------------------------------- */
+/* ---- two builds: their differences, and the rows that are compared ---------------------------------------------- */
 
 enum { ACROSS_DIFFERS = 32, DOWN_DIFFERS = 16 };
 

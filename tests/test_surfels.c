@@ -330,7 +330,7 @@ static void odd_triangles(void)
 static void reach_and_shells(void)
 {
     int wrong = 0;
-    for (int k = 0; k < 100; ++k) {                        /* where the brightest, face to face, brings epsilon */
+    for (int k = 0; k < 100; ++k) {                        /* the place where the brightest brings epsilon */
         const double r = pow(10, 4 * t_within(0, 1) - 2), bright = 0.3 + 5 * t_within(0, 1),
                      epsilon = pow(10, -3 * t_within(0.17, 1)), far = ssgi_surfel_reach(r, bright, epsilon);
         CHECK(bright <= epsilon || fabs(bright * ssgi_surfel_form_factor(r, far) / epsilon - 1) < 1e-9,
@@ -383,7 +383,7 @@ static void closed_forms(void)
     CHECK(fabs(room - 1) < 2e-3, "a room from inside sums to %.5f", room);
 }
 
-/* ---- what splats cover ------------------------------------------------------------------------------------------- */
+/* ---- pixels that splats cover ------------------------------------------------------------------------------------ */
 
 static const float both_sides[3] = { 0, 0, 0 };
 
@@ -609,7 +609,7 @@ static void dipoles(void)
     CHECK(!kit_material_of(-1) && !kit_material_of(12) && kit_material_of(11), "materials end elsewhere");
 }
 
-/* ---- what is refused --------------------------------------------------------------------------------------------- */
+/* ---- refusals ---------------------------------------------------------------------------------------------------- */
 
 static void refusals(void)
 {
@@ -952,8 +952,8 @@ typedef struct splatted {
     int levels, hard, enlarge, added, mean;
 } splatted;
 
-/* What a surfel adds to a pixel (y from the bottom) on the level of its shell. It counts only in its own sub-buffer,
-   and there as many times as there are sub-buffers; with mean once, in all. */
+/* The value that a surfel adds to a pixel (y from the bottom) on the level of its shell. It counts only in its own
+   sub-buffer, and there as many times as there are sub-buffers; with mean once, in all. */
 static double brought(const deep *d, const splatted *of, const ssgi_surfel *s, int x, int y, const float p[3],
                       const float n[3])
 {

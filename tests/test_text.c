@@ -1117,7 +1117,7 @@ static void defaults(void)
     }
 }
 
-/* ---- >>complete: whoever adds something is told where it is missing ---------------------------------------------- */
+/* ---- >>complete: a part that is missing is named ----------------------------------------------------------------- */
 
 /* Every field in the header's structs is in the library's table, and the comment of a count has the table's limit. */
 static void every_field(void)

@@ -406,7 +406,8 @@ static double expected_of(int what, const float o[3], const float d[3], int hard
 
 static void closed_forms(void)
 {
-    /* from: the first of linear and hard, in perspective and orthographic, that has a closed form */
+    /* from: the first with a closed form of linear in perspective, linear orthographic, hard in perspective, hard
+       orthographic */
     static const struct { const char *name; kit_camera camera; float radius; int rays, from; double rmse, most;
     } row[] = {
         { "a bare plane", { .eye = { 104.0548f, 199.2587f, -48.17f }, .target = { 104.4f, 199.45f, -47.8f },

@@ -197,7 +197,7 @@ static void phases_spread(void)
 /* ---- >>probes: statements in a pass's text, and passes ----------------------------------------------------------- */
 
 static float in[MANY][4], out[MANY][4], map[MANY][4];
-static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the same, flat */
+static float *const ins = &in[0][0], *const outs = &out[0][0];    /* in and out as arrays of floats */
 
 /* Inputs of probes besides in and map: extra cameras; for the next probe only, slices of an array, pass thickness. */
 static ssgi_gl_views probed;
@@ -725,7 +725,7 @@ static void twin_halves(void)
     }
 }
 
-/* ---- >>terms: functions of numbers, a row each, GLSL beside what its comment says -------------------------------- */
+/* ---- >>terms: functions of numbers, a row each, GLSL against the formula of its comment -------------------------- */
 
 /* The inputs of a row, and the wanted result. */
 typedef enum numbers {
@@ -904,7 +904,7 @@ static void functions_of_numbers(void)
     CHECK(!ssgi_gl_reflection(NULL, 1), "written to nothing");
 }
 
-/* ---- >>walk: slices, a bit or a vector at a time ----------------------------------------------------------------- */
+/* ---- >>walk: slices, by GLSL's bits and by vectors --------------------------------------------------------------- */
 
 /* A side's sectors, with an expectation for occluders that its samples missed and for those beyond the picture, which
    ends after so many radii. */
@@ -1264,9 +1264,8 @@ static void shadow_bias(void)
     }
 }
 
-/* Reads at most as many rows as the texture has. Each is a sun that its map shows. The first says how many of the
-   others are the same sun with wider maps. If that number is none, it counts as none or all, but no row is read
-   again. */
+/* Reads at most as many rows as the texture has. Each row is a sun that its map shows; the first tells how many of the
+   others are the same sun with wider maps. A number out of range counts as none or all, and no row is read again. */
 static void rows_are_visited_once(void)
 {
     static const struct { float wider; int lights; float sum, or_; } row[] = {
@@ -1571,7 +1570,7 @@ static void twin_tessellation(void)
     }
 }
 
-/* ---- >>history: what is read of the last frame ------------------------------------------------------------------- */
+/* ---- >>history: how passes read the last frame ------------------------------------------------------------------- */
 
 /* The last frame of a camera that stands, or that went so far sideways and back. */
 static ssgi_gl_frame follows(float radius, float by, float back)

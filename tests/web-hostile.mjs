@@ -1,6 +1,6 @@
 /* web-hostile.mjs - bad inputs for the page and the loader: models, for web.mjs; arguments, for test_tools.c. */
 
-/* ---- models: name, text or bytes, what is said of it */
+/* ---- models: name, text or bytes, the error -------- */
 
 const triangle = (...corners) => `${corners.map(at => `v ${at}\n`).join('')}f 1 2 3\n`;
 const gltf = more => JSON.stringify({ asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }],
@@ -111,7 +111,7 @@ export const models = [
      /^basis\.gltf: cannot be read: its pictures are KTX2, which nothing here reads; must/]
 ];
 
-/* ---- arguments of ssgi.mjs: a call, what it says */
+/* ---- arguments of ssgi.mjs: a call, its error ---- */
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], nothing = identity.map(() => NaN);
 const projection = [1.3, 0, 0, 0, 0, 2.4, 0, 0, 0, 0, -1.002, -1, 0, 0, -0.2002, 0];

@@ -587,7 +587,7 @@ int main(void)
     await page.close();
 });
 
-/* ---- where there is little */
+/* ---- a narrow window, a small GPU ---- */
 
 const without = names => `{ const { prototype } = WebGL2RenderingContext, all = prototype.getExtension;
     prototype.getExtension = function (name) { return ${names}.test(name) ? null : all.call(this, name); }; }`;

@@ -179,7 +179,7 @@ static int read_rows(FILE *f, const char *path)
     return count;
 }
 
-/* Reads what a GPU takes for each choice; 0: not known. Lines that begin with # are skipped. -1: a line is no row. */
+/* Reads the time of each choice on a GPU; 0: not known. Lines that begin with # are skipped. -1: a line is no row. */
 static int read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f, const char *path)
 {
     char line[1024];

@@ -42,7 +42,7 @@ static int parse(options a, int argc, char **argv, kit_error *err)
     return 0;
 }
 
-/* Reads a whole number of least .. most; -1: the text is none. */
+/* Reads a whole number of least .. most; -1: the text is no such number. */
 static int whole(int *out, const char *text, int least, int most)
 {
     char *end;

@@ -78,7 +78,7 @@ typedef struct plan_costs {
     char text[SSGI_PLAN_CHOICES][96];
 } plan_costs;
 
-/* Chooses what is measured: each choice without surfels and fields, or that of number only (-1: all). */
+/* Chooses what to measure: each choice without surfels and fields, or only one, by its number (-1: all). */
 int plan_choose(plan_costs *costs, int only, kit_error *err);
 int plan_measure(plan_costs *costs, const place *p, kit_error *err);
 

@@ -53,7 +53,7 @@ static found demo_found[COUNT(demos)];
 const section ao_demo = { .name = "ao", .sets = WITH_COUNT(demos), .width = 800, .height = 450, .open = open_mesh,
                           .measure = measure_planned, .range = 0.5, .found = demo_found };
 
-/* ---- >>peers: what others have, beside the library's rows -------------------------------------------------------- */
+/* ---- >>peers: other libraries' effects beside the library's rows ------------------------------------------------- */
 
 /* One line: how the peers are scored on the chart, or why there are none. */
 static const char *peers_note(void)

@@ -13,7 +13,7 @@
 #define INTERIOR_PACKAGE "blender-data"
 
 enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180 };
-/* lit[0]: the probe alone; lit[1]: and four boxes beside the bunny. The truth's noise is below 1 % of the mean. */
+/* lit[0]: the probe alone; lit[1]: with boxes beside the bunny. The truth's noise is below 1 % of the mean. */
 #define LIT(env, rays, exposure) \
     { { env, { NULL }, 0, 0, 0, rays, exposure, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, exposure, NO_CROPS } }
 static const struct { const char *name; lit lit[2]; int quick; } probes[] = {

@@ -150,7 +150,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
 
 static int is_lit(int wanted) { return wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE; }
 
-/* Measures the choices for what is wanted on a stage that is looked at, and closes the stage. */
+/* Measures the choices for a wanted quantity on a stage that is looked at, and closes the stage. */
 static int stage_measure(planned_row *r, stage *s, const char *name, int wanted, int rays, int timed, kit_error *err)
 {
     kit_image truth;
@@ -163,7 +163,7 @@ static int stage_measure(planned_row *r, stage *s, const char *name, int wanted,
     return 0;
 }
 
-/* Measures the k-th view for what is wanted. quick: fewer rays. Returns 1; 0 if the view's package is missing. */
+/* Measures the k-th view for a wanted quantity. quick: fewer rays. Returns 1; 0 if the view's package is missing. */
 static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error *err)
 {
     const plan_view *p = &planned_views[k];

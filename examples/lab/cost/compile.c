@@ -90,7 +90,7 @@ int spirv_triangle(spirv *s, kit_error *err)
     return spirv_make(s, "#version 450\nvoid main() { gl_Position = vec4(0); }\n", VK_SHADER_STAGE_VERTEX_BIT, 0, err);
 }
 
-/* ---- what a pipeline needs --------------------------------------------------------------------------------------- */
+/* ---- the needs of a pipeline ------------------------------------------------------------------------------------- */
 
 enum { MOST_BINDINGS = 64, MOST_GROUPS = 4, MOST_PLACES = 16 };
 

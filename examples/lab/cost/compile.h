@@ -24,7 +24,7 @@ typedef struct spirv { uint32_t *word; size_t count; VkShaderStageFlagBits stage
 typedef struct executable {
     VkShaderStageFlags stages;
     char *assembly;
-    int vgprs, spilled, scratch, waves;    /* waves: how many of 64 lanes share a SIMD */
+    int vgprs, spilled, scratch, waves;    /* how many waves of 64 lanes share a SIMD */
 } executable;
 
 /* seconds: processor time of the compilation. */

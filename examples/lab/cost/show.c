@@ -68,7 +68,7 @@ static int family_of(const work *w, const device *d)
     return -1;
 }
 
-/* ---- what is not in the csv -------------------------------------------------------------------------------------- */
+/* ---- facts that are not in the csv ------------------------------------------------------------------------------- */
 
 /* Prints the loops whose end no instruction tells, once for each pass. */
 static void show_assumptions(const work *w)

@@ -39,7 +39,7 @@ static const char *missing = "";
 
 const char *peers_missing(void) { return missing; }
 
-/* ---- >>reading: the view for the script, and what it made of it -------------------------------------------------- */
+/* ---- >>reading: the view for the script, and the script's results ------------------------------------------------ */
 
 /* Runs the script. 0 = there are no peers, and missing says why. */
 static int peers_write(const peer_set *set, const stage *s, int quick, kit_error *err)
@@ -266,7 +266,7 @@ static int peer_picture(kit_image *out, const peer_set *set, const peer *p, cons
     return failed;
 }
 
-/* ---- >>fit: the best that two numbers can do --------------------------------------------------------------------- */
+/* ---- >>fit: the best fit of two numbers -------------------------------------------------------------------------- */
 
 /* a histogram of visibility from -1 to 1; in each bin the sum of the truth */
 typedef struct histogram { double count[PEER_BINS], truth[PEER_BINS], squares, pixels; } histogram;

@@ -138,7 +138,7 @@ const older = (text, output) => `#define varying ${output ? 'in' : 'out'}
 ${output ? 'layout(location = 0) out highp vec4 pc_fragColor;\n#define gl_FragColor pc_fragColor\n' : ''}${text}
 `;
 
-/* ---- >>three.js: a renderer, and what an effect asks of it ------------------------------------------------------- */
+/* ---- >>three.js: a renderer, and the calls of an effect to it ---------------------------------------------------- */
 
 const camera = new THREE.PerspectiveCamera();
 camera.near = near;
@@ -292,7 +292,7 @@ async function babylon_draw(ratio, set) {
     return engine.result();
 }
 
-/* ---- >>PlayCanvas: a device without a GPU, and what a frame sets and draws --------------------------------------- */
+/* ---- >>PlayCanvas: a device without a GPU, and the settings and draws of a frame --------------------------------- */
 
 class Device extends NullGraphicsDevice {
     #pass; #shader;
@@ -336,7 +336,7 @@ function playcanvas_draw(set, unit = 1) {
     return device.texture(ssaoPass.ssaoTexture);
 }
 
-/* ---- >>peers: by default, and such that the radius is ours ------------------------------------------------------- */
+/* ---- >>peers: at their defaults, and with the chart's radius ----------------------------------------------------- */
 
 /* the radius in pixels at the median depth: SAO's radius is one of the screen */
 const pixels = radius / middle * v[10] * height / 2;

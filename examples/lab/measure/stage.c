@@ -199,7 +199,7 @@ int stage_drawn(kit_image *out, stage *s, const char *method, const char *set, f
     return s->lit && out->channels == 1 ? stage_dim(out, s, err) : 0;
 }
 
-/* ---- >>beside: what is shown beside methods ---------------------------------------------------------------------- */
+/* ---- >>beside: rows beside the methods --------------------------------------------------------------------------- */
 
 static int give(stage *s, const char *label, const char *method, kit_image *picture)
 {

@@ -48,7 +48,8 @@ typedef struct view {
     const lit *lit;
 } view;
 #define NO_CROPS { { 0 } }
-extern const view stage_views[];               /* of ambient occlusion's chart; the first is the demo's */
+extern const view stage_views[];               /* the views of the chart of ambient occlusion; the first is the
+                                                  demo's */
 extern const int stage_views_count;
 /* Model number i of those that packages bring, for seed i; models that are neighbours in the packages' list have
    distant numbers. 0: the package is missing. */

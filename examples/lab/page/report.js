@@ -559,7 +559,7 @@ function show() {
     let now;
     const open = () => {
         const id = decodeURIComponent(location.hash.slice(1)), of = records[id.split('/')[0]] ?? records[names[0]];
-        if (of !== now) {                          /* what is shown stays: somebody may be about to click in it */
+        if (of !== now) {                          /* a shown record stays: somebody may be about to click in it */
             document.getElementById('records').replaceChildren(...names.map(n => el('a', { href: `#${n}`,
                 className: records[n] === of ? 'now' : '' }, n)));
             main.replaceChildren(...record(now = of));

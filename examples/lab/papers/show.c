@@ -66,7 +66,7 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
     return out;
 }
 
-/* ---- >>csv: a line a cell, as FIGURES.md's part is made of ------------------------------------------------------- */
+/* ---- >>csv: a line for each cell, from which FIGURES.md's part is made ------------------------------------------- */
 
 static void csv_cell(FILE *f, const sheet *t, int r, const char *kind, const char *head, const char *text)
 {

@@ -32,7 +32,7 @@ const swept sweeps_method[] = {
 const int sweeps_methods = sizeof sweeps_method / sizeof *sweeps_method;
 _Static_assert(sizeof sweeps_method / sizeof *sweeps_method <= MOST_METHODS, "more methods than MOST_METHODS");
 
-/* ---- >>looks: what a frame of each cause shows ------------------------------------------------------------------- */
+/* ---- >>looks: the scene of a frame, for each cause --------------------------------------------------------------- */
 
 static void set(float v[3], float x, float y, float z) { v[0] = x; v[1] = y; v[2] = z; }
 static void set_box(float b[6], float x0, float y0, float z0, float x1, float y1, float z1)
@@ -273,7 +273,8 @@ static const struct { const char *name; int (*curves)(result *r, kit_error *err)
 cause sweeps_cause[MOST_CAUSES];
 int sweeps_causes;
 
-/* The index of the word with which a text begins, up to a + or its end. words: separated by blanks; -1: it is none. */
+/* The index of the word with which a text begins, up to a + or its end; -1: no such word. words: separated by
+   blanks. */
 static int word(const char *words, const char *text)
 {
     const size_t length = strcspn(text, "+");
