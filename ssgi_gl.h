@@ -4,7 +4,7 @@
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
                                         #define SSGI_GL_IMPLEMENTATION
                                         #include "ssgi_gl.h"
-   and include it plainly elsewhere. Where another file implements ssgi.h, define SSGI_IMPLEMENTED_ELSEWHERE in place of
+   and include it plainly elsewhere. If another file implements ssgi.h, define SSGI_IMPLEMENTED_ELSEWHERE instead of
    SSGI_IMPLEMENTATION.
 
    QUICK USE  of one pass alone, by ssgi_gl_emit and ssgi_gl_reflect (compiled and run by tests/test_build.c)
@@ -46,11 +46,11 @@
       projection   take the one that depth was drawn with: some engines (OpenSceneGraph) move its near and far planes,
                    and their getter does not return the result. For left-handed projections see
                    ssgi_view_from_projection (ssgi.h)
-      order        opaque things first, as depth and normals are read; then these draws; then fog and transparent
-                   things, then TAA (frame.jitter). Things that shall neither occlude nor receive, as weapons in hands,
-                   sprites and liquids, are drawn after depth has been read. In forward rendering a pass of depth and
-                   normals comes first, and shaders of things that receive call the functions of ssgi_gl_read, those of
-                   glass, too
+      order        draw opaque things first, since their depth and normals are read; then these draws; then fog and
+                   transparent things, then TAA (frame.jitter). Things that shall neither occlude nor be occluded
+                   (weapons in hands, sprites, liquids) are drawn after depth has been read. In forward rendering draw
+                   depth and normals first; the shaders of things that are occluded, glass included, then call the
+                   functions of ssgi_gl_read
       This header calls no GL.
 
    PASSES       ssao          ambient visibility from point samples in the hemisphere [SA07]
@@ -94,23 +94,23 @@
 
    WHICH PASSES ARE DRAWN, IN WHICH ORDER, INTO WHICH TEXTURES is data: ssgi_gl_steps (>>steps; a loop:
    examples/minimal.c). This is left to you:
-      lights       you draw the shadow maps that desc.light.shadow MAP and FILL read; of lights without a map
-                   desc.light.shadow tells
-      s3ho         with chain.coefficients the filtered coefficients hold while camera and geometry stay: where the
-                   light alone changed, draw only the steps from shade on
+      lights       you draw the shadow maps that desc.light.shadow MAP and FILL read; desc.light.shadow says what
+                   happens to lights without a map
+      s3ho         with chain.coefficients the filtered coefficients stay valid while camera and geometry stay: if only
+                   the light changed, draw only the steps from shade on
       aof          each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). The result is not filtered. Forward
                    shaders call the function that ssgi_gl_field writes
       history      each frame set frame.phase = ssgi_gl_phase(its number), and call ssgi_gl_frame_history except after a
-                   cut. Where the picture's size changes, the last frame's textures are read at their own
+                   cut. If the size of the image changes, the last frame's textures are read at their own size
       dss          surfels are made by ssgi_surfels on the CPU, or by pass surfels: transform feedback of its CAPTURE
                    rows, interleaved and with rasteriser discard on, writes ssgi_surfel[] (with at most two of radius 0
                    for each surfel that ssgi_surfels makes). Pass dss reads three vec4 attributes an instance, with
                    divisor 1. With tessellate either pass draws patches of 3 vertices in splits * splits instances, and
                    dss needs no buffer of surfels
 
-   ROOMS        search for ">>"
+   ROOMS        the sections of this file; search for ">>"
       >>desc       your choices and their limits
-      >>emit       a desc in, text out
+      >>emit       writes the shaders of a desc
       >>io         the inputs and outputs of a pass
       >>steps      the draws of a whole chain
       >>frame      the values of each frame; extra cameras, lights, occluders
@@ -120,14 +120,14 @@
       and the implementations of >>desc, >>emit, >>io, >>steps, >>frame
 
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its row in >>passes, its
-                outputs in >>rows. An accumulator: a member of ssgi_sums, a line where taps are added to it, an output
-                row, its field in >>desc. An input: a row. A shader reads the inputs that its functions name; no table
-                repeats them.
+                outputs in >>rows. An accumulator: a member of ssgi_sums, a line where samples are added to it, an
+                output row, its field in >>desc. An input: a row. A shader reads the inputs that its functions name; no
+                table repeats them.
 
    OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect return all names, limits and offsets; the repository's
                        make glsl writes them beside the shaders (manifest.json), make wasm serves JavaScript. cffi takes
                        the output of gcc -E -P '-D__attribute__(x)='; bindgen -- --target=x86_64-pc-windows-msvc
-                       -ffreestanding gives constants the type of the fields. In Python, whose keyword pass is, write
+                       -ffreestanding gives constants the type of the fields. In Python, where pass is a keyword, write
                        setattr(desc, "pass", ..)
 
    NAMES IN THE TEXT   u_ssgi_* are uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* pass
@@ -177,18 +177,18 @@ typedef enum ssgi_gl_pass {
      bindings    the uniform blocks ssgi_frame and ssgi_views are at bindings 0 and 1 of set desc.shader.block_set, the
                  texture of unit u is at 2 + u of set desc.shader.texture_set, by default both 0; with desc.shader.dense
                  bindings have no gaps (ssgi_gl_io.set, .binding; ssgi_gl_input.set, .binding). A texture is a sampled
-                 image, fetched without a sampler, in the layout GENERAL or SHADER_READ_ONLY_OPTIMAL. Its view is of an
-                 array where ssgi_gl_input.array says so, even of one layer, as that of emitters. With
+                 image, fetched without a sampler, in the layout GENERAL or SHADER_READ_ONLY_OPTIMAL. Its view is an
+                 array view if ssgi_gl_input.array is 1, even with one layer (the texture of emitters). With
                  desc.shader.compute output k is at 18 + k of set desc.shader.output_set. Bindings from 24 on and other
                  sets are yours. Depth is viewed by its depth aspect alone
      formats     ssgi_gl_format has Vulkan's and WebGPU's names
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
-                 (WGSL: overrides): other layers, directions and samples need no other shader
+                 (WGSL: overrides), so that other numbers of slices, directions and samples need no other shader
      rows        viewport heights are positive. Give ssgi_view_from_projection SSGI_CLIP_ZERO and Vulkan's own matrix,
-                 whose y points down: row 0 is at NDC y = -1. Where the scene has row 0 at 1 (drawn with a negative
+                 whose y points down: row 0 is at NDC y = -1. If the scene is drawn with row 0 at y = 1 (with a negative
                  height, or by D3D, Metal or WebGPU), negate the matrix's second row; in D3D, Metal and WebGPU also
-                 negate gl_Position.y in the vertex stages of aof and dss, as make glsl WGSL=1 does. Noise follows
-                 rows: a picture whose rows run the other way differs from GL's by its noise
+                 negate gl_Position.y in the vertex stages of aof and dss, as make glsl WGSL=1 does. Noise depends on
+                 the row: an image whose rows run the other way has other noise than GL's
      blending    ssgi_gl_step.blend has GL's numbers. FUNC_ADD and FUNC_REVERSE_SUBTRACT are VK_BLEND_OP_ADD and
                  VK_BLEND_OP_REVERSE_SUBTRACT; ZERO, ONE, DST_COLOR are VK_BLEND_FACTOR_ZERO, _ONE, _DST_COLOR. WebGPU
                  blends 32-bit floats only with the feature float32-blendable
@@ -209,25 +209,25 @@ typedef enum ssgi_gl_dialect {
 
 /* desc.shader.uniforms: how a shader declares the values of the frame.
      BLOCK    uniform blocks: ssgi_frame is ssgi_gl_frame byte for byte, ssgi_views is ssgi_gl_views
-     LOOSE    a uniform of its own for each member that the stage reads, for engines that set uniforms by name and have
-              no blocks: "uniform float u_ssgi_radius;". Before each step set those of ssgi_gl_reflect's rows of kind
-              PARAM: a row's type has the size of an array ("vec4[12]"); its value lies at row.offset in the step's
-              ssgi_gl_frame where row.slot is 0, in ssgi_gl_views where it is 1. There a mat3 has 3 columns of 4 floats,
-              all else is tight. Programs keep such values: steps of equal shaders have one program, and may have other
-              frames (ssgi_gl_step.frame). Not in VULKAN */
+     LOOSE    a uniform for each member that the stage reads ("uniform float u_ssgi_radius;"), for engines that set
+              uniforms by name and have no blocks. Before each step set the uniforms that ssgi_gl_reflect lists with
+              kind PARAM: a program keeps its values, and steps with equal shaders share a program but may have
+              different frames (ssgi_gl_step.frame). A row's type includes the size of an array ("vec4[12]"). Its value
+              lies at row.offset in the step's ssgi_gl_frame if row.slot is 0, in ssgi_gl_views if it is 1; there a mat3
+              has 3 columns of 4 floats, all else is tightly packed. Not in VULKAN */
 typedef enum ssgi_gl_uniforms {
     SSGI_GL_UNIFORMS_BLOCK = 0,
     SSGI_GL_UNIFORMS_LOOSE,
     SSGI_GL_UNIFORMS_FORCE = SSGI_FORCE
 } ssgi_gl_uniforms;
 
-/* desc.shader.compute: what writes the picture of a pass. With a compute stage it has no other stage: its outputs
-   are storage images of their names, and ssgi_gl_step.groups says how many groups of invocations to dispatch. It writes
-   the same texels and tests whether an invocation lies in the image. 450, 310ES, 320ES and VULKAN have it, for passes
-   that neither draw geometry nor leave texels out nor blend: not aof, surfels, dss, deinterleave, smooth and compose,
-   and without desc.filter.onto. Wait for the images between steps, in GL by
+/* desc.shader.compute: whether a fragment or a compute stage writes the image of a pass. A pass with a compute stage
+   has no other stage: its outputs are storage images of the same names, and ssgi_gl_step.groups says how many groups to
+   dispatch. The stage writes the same texels; it tests itself whether an invocation lies in the image. 450, 310ES,
+   320ES and VULKAN have it, for passes that neither draw geometry nor leave texels out nor blend: not aof, surfels,
+   dss, deinterleave, smooth and compose, and without desc.filter.onto. Wait for the images between steps, in GL by
    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
-     ALL      formats as in targets. In Vulkan they need the feature shaderStorageImageExtendedFormats
+     ALL      the formats of render targets. In Vulkan they need the feature shaderStorageImageExtendedFormats
      BASIC    formats that each Vulkan device and WebGPU can store, which GLES always has: RGBA8 instead of R8, R32F
               instead of R16F, four channels instead of two */
 typedef enum ssgi_gl_compute {
@@ -251,11 +251,11 @@ enum {
 /* desc.input.depth: the content of the depth texture. Layer 0 of CUSTOM is the visible surface. */
 typedef enum ssgi_gl_depth {
     SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
-    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background. Where the near plane of
-                                 an orthographic camera is at the eye or behind it, view depth may be negative: then 0,
-                                 and what lies in front of the near plane, is background */
-    SSGI_GL_DEPTH_CUSTOM,     /* desc.shader.fetch: float ssgi_custom_depth(ivec2 texel, int layer) returns what LINEAR
-                                 holds; may call ssgi_decode */
+    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background. If the near plane of an
+                                 orthographic camera is at or behind the eye, view depth may be negative: then 0 and
+                                 depths in front of the near plane are background */
+    SSGI_GL_DEPTH_CUSTOM,     /* desc.shader.fetch: float ssgi_custom_depth(ivec2 texel, int layer) returns depth as
+                                 LINEAR holds it; it may call ssgi_decode */
     SSGI_GL_DEPTH_FORCE = SSGI_FORCE
 } ssgi_gl_depth;
 
@@ -285,9 +285,9 @@ typedef enum ssgi_gl_search {
     SSGI_GL_SEARCH_FORCE = SSGI_FORCE
 } ssgi_gl_search;
 
-/* desc.gather.march_terms: the terms of the march that count. All but RAYS seek the horizon: with desc.gather.layers or
-   desc.gather.views that of their solids; otherwise visible surfaces have no far side, whatever desc.gather.thickness
-   is. With NORMAL and RAYS normal_rays 0 means 1. */
+/* desc.gather.march_terms: the terms of the march that count. All but RAYS seek the horizon. With desc.gather.layers or
+   desc.gather.views it is the horizon of their solids; else visible surfaces count as infinitely thick, whatever
+   desc.gather.thickness is. With NORMAL and RAYS a normal_rays of 0 means 1. */
 typedef enum ssgi_gl_march_terms {
     SSGI_GL_MARCH_TERMS_BOTH = 0, /* occlusion below the horizon in closed form, and above it by normal_rays rays */
     SSGI_GL_MARCH_TERMS_HORIZON,  /* below the horizon alone, as with normal_rays 0 [HSAO08 fig. 10a] */
@@ -297,19 +297,19 @@ typedef enum ssgi_gl_march_terms {
 } ssgi_gl_march_terms;
 
 /* desc.gather.thickness: how far visible surfaces reach, away from the viewer.
-     pass thickness      writes thickness and view depth, which slices read with WIDTH, BACK and SLABS, the others with
-                     WIDTH, by one fetch instead of t_ssgi_depth's. ssgi_gl_steps draws it once a frame, with the
-                     largest thickness of chain.desc and chain.lights. Without ssgi_gl_steps draw it first, with the
-                     reader's desc except for the pass
+     pass thickness      writes thickness and view depth into one texture. Slices read it with WIDTH, BACK and SLABS,
+                         other searches with WIDTH, instead of t_ssgi_depth: still one fetch a sample. ssgi_gl_steps
+                         draws it once a frame, with the largest thickness of chain.desc and chain.lights. Without
+                         ssgi_gl_steps draw it first, with the desc of the pass that reads it, but desc.pass THICKNESS
      slices          BACK, SLABS: a surface without a back face is as thick as with WIDTH; a sheet, which is its own
-                     back face, half as thick. SLABS: the second slab is fetched from t_ssgi_back. All three are at
-                     least as thick as 0.02 radii and the spacing of the taps
+                     back face, half as thick. SLABS: the second slab is fetched from t_ssgi_back. With all three a
+                     surface is at least as thick as 0.02 radii and as the spacing of the samples
      points, march   BACK, SLABS: both slabs are fetched from t_ssgi_back. A surface without a back face, and a sheet,
                      is as thick as frame.thickness_limit, since points would step over thinner ones */
 typedef enum ssgi_gl_thickness {
     SSGI_GL_THICKNESS_DEFAULT = 0, /* ssgi_gl_steps with hsao, ssdo, s3ho by slices: WIDTH; all else: CONSTANT */
     SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness_limit */
-    SSGI_GL_THICKNESS_SOLID,       /* without end */
+    SSGI_GL_THICKNESS_SOLID,       /* surfaces are infinitely thick */
     SSGI_GL_THICKNESS_WIDTH,       /* a surface is as thick as it is wide in the picture, at most frame.thickness_limit
                                       and the radius */
     SSGI_GL_THICKNESS_BACK,        /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
@@ -318,18 +318,19 @@ typedef enum ssgi_gl_thickness {
     SSGI_GL_THICKNESS_FORCE = SSGI_FORCE
 } ssgi_gl_thickness;
 
-/* desc.gather.falloff: an occluder's weight over its distance t: slices multiply by it, points are spread by it. */
+/* desc.gather.falloff: an occluder's weight as a function of its distance t. Slices multiply by it; points are
+   distributed by it. */
 typedef enum ssgi_gl_falloff {
     SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
     SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: needed by a bounce that restores the light that virtual point
                                    lights lose to their clamp (ssgi_gl_light.min_distance = radius) */
     SSGI_GL_FALLOFF_NONE,       /* 1 up to the radius: each surface within it occludes fully. hsao, dss; ssdo and s3ho
-                                   by slices; points cannot be spread so */
+                                   by slices; points cannot be distributed so */
     SSGI_GL_FALLOFF_FORCE = SSGI_FORCE
 } ssgi_gl_falloff;
 
-/* desc.gather.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer holds at a
-   sample. */
+/* desc.gather.fade: an occluder's weight as a function of d: the distance, in radii, of the surface that the depth
+   buffer holds at a sample. */
 typedef enum ssgi_gl_fade {
     SSGI_GL_FADE_NONE = 0,
     SSGI_GL_FADE_SMOOTH, /* falls from 1 at frame.fade to 0 at the radius */
@@ -345,10 +346,10 @@ typedef enum ssgi_gl_environment {
     SSGI_GL_ENVIRONMENT_FORCE = SSGI_FORCE
 } ssgi_gl_environment;
 
-/* desc.light.bounce: how the light that an occluded direction sends is estimated. */
+/* desc.light.bounce: how the light that comes from an occluded direction is estimated. */
 typedef enum ssgi_gl_bounce {
     SSGI_GL_BOUNCE_NONE = 0,
-    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the emitter's radiance over the sample's solid angle: never above the emitter's */
+    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the emitter's radiance, over the sample's solid angle: never brighter than it */
     SSGI_GL_BOUNCE_PATCH,       /* the paper's own: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
     SSGI_GL_BOUNCE_FORCE = SSGI_FORCE
 } ssgi_gl_bounce;
@@ -415,16 +416,16 @@ typedef enum ssgi_gl_effect {
                                      NONE by 1 */
     SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less the environment's light that surfels occlude */
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
-    SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. No
-                                     slices see nearby surfaces, so that the defaults are too coarse: it wants
+    SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. It has
+                                     no slices for nearby surfaces, so that the defaults are too coarse: it wants
                                      SSGI_GL_PRESET_BEST, 5 levels, near_samples 4, frame.epsilon 0.1, and surfels of
                                      size 0.015. In a Cornell box, exponent 8, its error is then 0.73 of the mean light;
-                                     at the defaults with PRESET_BALANCED 1.23, for 1/13 of the splats' texels */
+                                     at the defaults with PRESET_BALANCED it is 1.23, with 1/13 of the splats' texels */
     SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface, by frame.dipole from the light that
                                      surfels receive. It wants SSGI_GL_PRESET_BEST, 7 levels, frame.epsilon 0.02, and
-                                     surfels of size 0.015, every triangle's (keep_small). On a bunny of marble its
-                                     error is then 0.10 of the mean light; with PRESET_BALANCED 0.32, for a third of the
-                                     texels */
+                                     surfels of size 0.015 from every triangle (keep_small 1). On a bunny of marble its
+                                     error is then 0.10 of the mean light; with PRESET_BALANCED it is 0.32, with a third
+                                     of the texels */
     SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.shader.fetch */
     SSGI_GL_EFFECT_FORCE = SSGI_FORCE
 } ssgi_gl_effect;
@@ -439,13 +440,13 @@ typedef enum ssgi_gl_effect {
      vec4 ssgi_custom_effect(vec3 position, vec3 normal, float radius, vec3 colour, vec3 P, vec3 n)
          returns in xyz the surfel's effect on the pixel at P, whose unit normal is n; the effects of all surfels are
          summed. w is its form factor there, by which desc.surfel.combine counts surfels behind each other; with 0 the
-         sum stays as it is. Your function decides which side of the surfel counts. It is called for pixels in the
-         surfel's shells alone
+         sum stays as it is. Your function decides which side of the surfel counts. It is called only for pixels in the
+         surfel's shells
    The sum is o_ssgi_custom of pass sum. For a disc that occludes v = position - P, d = dot(v, v), w = radius * radius *
    max(dot(v, n), 0.0) * max(-dot(v, normal), 0.0) / (d * (d + radius * radius)). */
 
-/* desc.surfel.combine: how the form factors of many surfels are combined. How much surfels hide of each other is not
-   known. */
+/* desc.surfel.combine: how the form factors of many surfels are combined. It is not known how much of each other
+   surfels hide. */
 typedef enum ssgi_gl_combine {
     SSGI_GL_COMBINE_SHARE = 0, /* each surfel takes its share of the part that the others leave: 1 - exp(-sum) */
     SSGI_GL_COMBINE_ADD,       /* they add up, to 1 at most, as published [DSS14 section 3.2], which is darker */
@@ -480,11 +481,11 @@ typedef enum ssgi_gl_onto {
 } ssgi_gl_onto;
 
 /* desc.light.restore: the quantity that history and blur filter instead of light. Unoccluded light is known exactly at
-   every pixel and differs across creases, which a filter would smooth: blur puts it back unfiltered, at full size. */
+   every pixel. A filter would smooth its edges at creases, so blur puts it back unfiltered, at full resolution. */
 typedef enum ssgi_gl_restore {
     SSGI_GL_RESTORE_NONE = 0,
-    SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
-    SSGI_GL_RESTORE_DIFFERENCE, /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
+    SSGI_GL_RESTORE_RATIO,      /* light / unoccluded light, 0..1 in each channel [HHM18] */
+    SSGI_GL_RESTORE_DIFFERENCE, /* light - unoccluded light: for transfer BOTH, whose light may exceed it */
     SSGI_GL_RESTORE_FORCE = SSGI_FORCE
 } ssgi_gl_restore;
 
@@ -495,7 +496,7 @@ typedef enum ssgi_gl_filter {
     SSGI_GL_FILTER_FORCE = SSGI_FORCE
 } ssgi_gl_filter;
 
-/* desc.gather.resolution: the pixels that a gather writes. Blur or history brings its result to full size. */
+/* desc.gather.resolution: the pixels that a gather writes. Blur or history brings its result to full resolution. */
 typedef enum ssgi_gl_resolution {
     SSGI_GL_RESOLUTION_FULL = 0,     /* all of them */
     SSGI_GL_RESOLUTION_HALF,         /* the first pixel of every 2x2, so that the size is half, rounded up */
@@ -505,32 +506,33 @@ typedef enum ssgi_gl_resolution {
     SSGI_GL_RESOLUTION_FORCE = SSGI_FORCE
 } ssgi_gl_resolution;
 
-/* The groups of ssgi_gl_desc hold your choices when a program is built. Zero is the default everywhere; counts
-   become literal constants in the shader, and a feature that is off leaves nothing in it. A field's comment begins with
-   the passes that look at it, where its group does not tell; the other passes ignore the field, but it must be in its
-   limits [0..1 where none is told]. ssgi_gl_check names a field that is not. Each field is four bytes long.
-   Each group begins with the choices that are yours. "The papers' own" are for those who draw what a paper published:
-   the defaults have a lower error or cost less. "Of the steps" are set by ssgi_gl_steps; set them yourself only where
-   you draw without it. ssgi_gl_choice.kind tells the three apart. */
+/* The groups of ssgi_gl_desc hold your choices when a program is built. Zero is the default everywhere; counts become
+   literal constants in the shader, and a feature that is off leaves nothing in it. A field's comment begins with the
+   passes that look at it, unless they are those of its group. Other passes ignore the field, but it must still be
+   within its limits: 0..1 if the comment gives none. ssgi_gl_check names a field that is not. Each field is four bytes
+   long.
+   Each group has up to three parts: the choices that are yours; "the papers' own", which draw the published variant,
+   whereas the defaults have a lower error or cost less; and "of the steps", which ssgi_gl_steps sets, and you only if
+   you draw without it. ssgi_gl_choice.kind names a field's part. */
 
 /* ---- desc.input: the camera and your textures, the same for all passes of a frame */
 typedef struct ssgi_gl_input_desc {
     /* the camera */
     int orthographic; /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
     int oblique;      /* DEPTH_WINDOW   1: its near plane may be oblique (ssgi_view.oblique) */
-    int left_handed;  /* 1: view-space normals have +z away from the viewer; for all else: ssgi_view_from_projection */
+    int left_handed;  /* 1: view-space normals have +z away from the viewer; ssgi_view_from_projection tells the rest */
 
     /* your textures */
     ssgi_gl_depth depth;
     ssgi_gl_normal normal;
     int world_normals; /* 1: the normals are in world space; frame.rotation turns them into view space */
     int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; you resolve the other textures. Sample 0 is
-                          read: one surface, at one place in every pixel, so that planes stay planes. The other samples
-                          of an edge get their own by ssgi_gl_read. Not in 300es */
+                          read: one surface, at one place in every pixel, so that planes stay planes. ssgi_gl_read
+                          serves the other samples of an edge. Not in 300es */
     int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
                           layer a view, as for stereo: frame.layer. The textures that passes write stay 2D, and each
-                          view is drawn by itself, with a frame and a history of its own: passes are bound by pixels,
-                          of which multiview saves none, and it would want arrays of all of them */
+                          view is drawn by itself, with a frame and a history of its own: the cost of passes is in their
+                          pixels, of which multiview saves none, and it would need arrays of all textures */
     int motion;        /* history, change_mask   1: t_ssgi_motion says where each pixel was, so that objects that move
                           on their own keep their average; 0: the camera alone moves */
     ssgi_gl_objects objects; /* aof */
@@ -552,7 +554,7 @@ typedef struct ssgi_gl_gather_desc {
                               along the segment. Of the points along a direction the first occluded one counts */
     ssgi_gl_noise noise;
     ssgi_gl_resolution
-        resolution; /* gathers, shade; blur, history: how their input was written, from which they go to full size */
+        resolution; /* gathers, shade: the pixels that they write; blur, history: the pixels that their input has */
 
     /* the occluders: gathers and lights */
     ssgi_gl_thickness thickness;
@@ -567,12 +569,13 @@ typedef struct ssgi_gl_gather_desc {
     int facets;              /* gathers, shade   1: occluders are sought above the facet that depth shows, as with
                                 input.normal FROM_DEPTH, but filters, emitters and lights keep your normals, so that
                                 restored light (light.restore) stays smooth. For smooth normals on coarse meshes and for
-                                normal maps, whose tangent plane cuts the surface: each facet then darkens itself */
+                                normal maps: their tangent plane cuts the surface, so that with 0 each facet darkens
+                                itself */
     int lift;                /* slices; normals from depth   1: slices lift receivers by frame.offset, as points and the
-                                march always do, and normals from depth compare pixels that are so far apart. For depth
-                                that has steps, as of clouds of points: each splat's edge is a wall otherwise. Set
-                                frame.offset to twice the pixels that a splat is wide; 8 suits splats of 3 to 9, 16
-                                where there are holes between them. Things lower than that lift do not occlude */
+                                march always do, and normals from depth compare pixels at that distance. For depth that
+                                has steps, as from clouds of points: with 0 each splat's edge occludes like a wall. Set
+                                frame.offset to twice the width of a splat in pixels; 8 suits splats of 3 to 9 pixels,
+                                16 splats with holes between them. Things lower than that lift do not occlude */
 
     /* the papers' own */
     int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
@@ -599,14 +602,14 @@ typedef struct ssgi_gl_light_desc {
                                         occlude from both sides, for sheets */
     int one_sided;                   /* ssdo, s3ho by slices   1: surfaces that are not seen send nothing: neither those
                                         other sides, nor second slabs. For lamps, screens and signs with a dark back,
-                                        which shine on surfaces behind them otherwise. Elsewhere it has a larger error:
-                                        surfaces that environments light are lit from behind, too */
+                                        which with 0 shine on surfaces behind them. In other scenes it has a larger
+                                        error: an environment lights surfaces from behind, too */
     int bounced;                     /* emitters   1: with LIGHT or BOTH they send the last frame's bounce, too, so that
                                         each frame adds a further bounce */
-    int clamp;                       /* emitters   1: none sends more luminance than frame.sent; its hue stays. A single
-                                        pixel that is far brighter than others (a spark, a glint) makes a bright spot of
-                                        each pixel that meets it otherwise. What is as bright on purpose gets darker.
-                                        It is 13 instructions of pass emitters */
+    int clamp;                       /* emitters   1: no emitter sends more luminance than frame.sent; its hue stays.
+                                        With 0 a single pixel that is far brighter than others (a spark, a glint) makes
+                                        a bright spot of each pixel that meets it. Lamps that bright get darker, too.
+                                        Costs 13 instructions of pass emitters */
     ssgi_gl_shadow shadow;           /* lights, surfels, dss */
     ssgi_gl_restore restore;         /* ssdo, s3ho shaded, shade, history, blur   with any value but NONE o_ssgi_light
                                         is not light until blur or history has drawn with this desc and filter.quantity
@@ -627,9 +630,9 @@ typedef struct ssgi_gl_light_desc {
                                   once; shade is not drawn */
     int residual;              /* s3ho shaded, ssdo with SH, shade, transfer not REFLECTED   1: adds ambient visibility
                                   times the residual of unoccluded irradiance (ssgi_sh_residual). With bent normals and
-                                  cones, whose environment is exact, the residual of `lights` alone. 0: two bands give a
-                                  lamp's light to surfaces that are turned away from it, whose error is larger than
-                                  without occlusion */
+                                  cones, whose environment is exact, only the residual of harmonic_lights. 0: two bands
+                                  light surfaces that are turned away from a lamp, with a larger error than that of no
+                                  occlusion */
     ssgi_gl_shading shading;   /* shade */
     int harmonic_lights;       /* shade   1: adds rows of t_ssgi_lights as harmonics, which the coefficients alone
                                   occlude; a POINT is a sphere of radius min_distance */
@@ -646,16 +649,16 @@ typedef struct ssgi_gl_light_desc {
 typedef struct ssgi_gl_surfel_desc {
     ssgi_gl_effect effect; /* dss, deinterleave, smooth, sum */
     int levels;            /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
-                                taps of the level before. 4 reach 12 surfel radii where epsilon is 0.3, 0.18 image
-                                heights of size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
+                                taps of the level before. 4 levels reach 12 surfel radii if epsilon is 0.3: 0.18 image
+                                heights with size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
                                 wants 5, SCATTER 7 */
     int tessellate;        /* surfels, dss   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
                                 310es */
     ssgi_gl_sends sends;   /* surfels, dss when tessellate */
     int span;              /* hsao, ssdo by slices; dss, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
-                                nearer surfaces are left to slices, farther and hidden ones to surfels; 6 have the
-                                lowest error; 0: all to surfels. The slices are 2x8 where desc.gather names no other
-                                number, and WIDTH where it names no thickness */
+                                surfaces up to this distance are left to slices, farther and hidden ones to surfels; 6
+                                has the lowest error; 0: all are left to surfels. The slices are 2x8, WIDTH, unless
+                                desc.gather sets numbers or a thickness */
     int near_samples;      /* dss   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
                                 0, 1: its centre alone, as published, which finds half of the true effect at 1/3 radius
                                 from a wall. SPECULAR wants 4, SCATTER does not look at it */
@@ -663,10 +666,10 @@ typedef struct ssgi_gl_surfel_desc {
     /* the papers' own */
     ssgi_overhang overhang;  /* surfels, dss when tessellate   how triangles shrink, as in ssgi_surfel_desc
                                 (ssgi.h) */
-    int enlarge;             /* dss, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
+    int enlarge;             /* dss, except SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
                                 count 4^l times. Wider ones bring up to a third less than the surfels that they stand
-                                for, where epsilon is 0.1 */
-    ssgi_gl_combine combine; /* sum, but SCATTER */
+                                for, if epsilon is 0.1 */
+    ssgi_gl_combine combine; /* sum, except SCATTER */
 
     /* of the steps */
     int axis; /* smooth   0: along x; 1: along y */
@@ -675,8 +678,8 @@ typedef struct ssgi_gl_surfel_desc {
 /* ---- desc.filter: blur and history, smooth, and the way onto your picture */
 typedef struct ssgi_gl_filter_desc {
     ssgi_gl_filter kind; /* blur, history: choice "filter" */
-    int radius;          /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size
-                                  when gather.resolution: 1 is 3x3. Choice "filter_radius" */
+    int radius;          /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels of the filter's
+                            input, which gather.resolution thins out: 1 is 3x3. Choice "filter_radius" */
     int normals;         /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch
                                   each. Choice "filter_normals" */
     ssgi_gl_onto onto;   /* blur of ambient visibility, compose */
@@ -691,10 +694,10 @@ typedef struct ssgi_gl_shader_desc {
     ssgi_gl_uniforms uniforms;
     ssgi_gl_compute compute;
     int block_set;       /* VULKAN   [limit: 0..31]  the descriptor set of the uniform blocks */
-    int texture_set;     /* VULKAN   [limit: 0..31]  that of the textures. Fragment stages of SDL_GPU want 2, the blocks
-                            in 3, dense */
-    int output_set;      /* VULKAN, compute   [limit: 0..31]  that of the storage images. Compute stages of SDL_GPU want
-                            1, the textures in 0, the blocks in 2, dense */
+    int texture_set;     /* VULKAN   [limit: 0..31]  the set of the textures. Fragment stages of SDL_GPU want 2, with
+                            the blocks in 3, dense */
+    int output_set;      /* VULKAN, compute   [limit: 0..31]  the set of the storage images. Compute stages of SDL_GPU
+                            want 1, with the textures in 0 and the blocks in 2, dense */
     int dense;           /* VULKAN   1: bindings have no gaps, counted from 0 over all stages of the pass: the blocks
                             that it reads, then its textures in the order of ssgi_gl_step.input, then storage images;
                             those in a set of their own begin at 0. 0: a name has the same binding in every variant of
@@ -702,10 +705,10 @@ typedef struct ssgi_gl_shader_desc {
     int group_width;     /* compute   [limit: 0..16] [default: 8]  invocations of a group in a row */
     int group_height;    /* compute   [limit: 0..16] [default: 8]  rows of a group */
     int lines;           /* 1: the shader has #line directives, so that a compiler's "0:N" is line N of this header */
-    int storage;         /* compute   [limit: 0..2]  of the steps: ssgi_gl_chain.precise, by which the storage images
-                            have their formats */
-    const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
-    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
+    int storage;         /* compute   [limit: 0..2]  of the steps: ssgi_gl_chain.precise, which sets the formats of the
+                            storage images */
+    const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: none of yours */
+    const char *fetch;   /* your GLSL, put before the library's if a CUSTOM choice is read; NULL: none */
 } ssgi_gl_shader_desc;
 
 /* One pass, and your choices for it. Groups that it does not look at may hold anything within their limits, so that one
@@ -727,16 +730,16 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 /* ssgi_gl_choice.kind: who sets a field. */
 enum {
     SSGI_GL_CHOICE_YOURS = 0, /* you do: the camera, your textures, cost, accuracy, look */
-    SSGI_GL_CHOICE_PAPER,     /* whoever draws what a paper published: better ways are the default */
+    SSGI_GL_CHOICE_PAPER,     /* you do, to draw as a paper published; the defaults are better */
     SSGI_GL_CHOICE_STEPS      /* ssgi_gl_steps does, in the descs of its steps */
 };
 
 /* A field of ssgi_gl_desc: all but version and fetch. */
 typedef struct ssgi_gl_choice {
-    const char *name;     /* "search": no two fields have the same */
+    const char *name;     /* "search": unique among the fields */
     const char *field;    /* "gather.search" */
     const char *values;   /* an enum's words in order from 0, blanks between: "SLICES POINTS MARCH"; of others "" */
-    const char *sentence; /* its limits; of an enum with the prefix that turns the words into enumerators */
+    const char *sentence; /* its limits; for an enum also the prefix that makes enumerators of the words */
     size_t offset;        /* bytes into ssgi_gl_desc */
     int most;             /* its largest value; the least is 0 */
     int kind;             /* SSGI_GL_CHOICE_YOURS .. */
@@ -759,16 +762,16 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
      dss           quarter size, half, full; slices near by, with a span: 2x8, 2x8, 2x7. SPECULAR and SCATTER, which
                    have no slices, want BEST
-   All other fields stay: set thickness BACK or SLABS where you can draw those passes. Passes without such settings are
+   All other fields stay: set thickness BACK or SLABS if you can draw those passes. Passes without such settings are
    left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_PRESET_FAST, SSGI_GL_PRESET_BALANCED, SSGI_GL_PRESET_BEST };
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
-/* Writes a plan of ssgi_plan_make (ssgi.h) into a desc: the pass that does most of the work (of surfels and fields the
+/* Writes a plan of ssgi_plan_make (ssgi.h) into a desc: the pass that does most of the work (with surfels or fields the
    pass that draws them), with its settings and the filter's; the other fields stay. ssdo and s3ho get restore; s3ho
    gets shaded and residual; ssdo without an environment gets MAP; surfels leave near surfaces to slices (span 6).
-   thickness is the plan's: where the plan draws no back faces it is DEFAULT, which in chains is WIDTH. Left to you: a
+   thickness is the plan's: if the plan draws no back faces it is DEFAULT, which in chains is WIDTH. Left to you: a
    bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of
    NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
@@ -786,52 +789,53 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
    desc gives the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
-/* A number for caches of programs. It is equal when the choices that reach the shader are equal (shaders in
-   desc.shader.version and desc.shader.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
+/* A number for caches of programs. It is equal if the choices that reach the shader are equal (desc.shader.version and
+   desc.shader.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* Writes the GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
-   (ssgi_sh_turn) and a dot product. struct ssgi_sh { vec4 a, b, c, d; } holds coefficient 4w + k in lane k of word w,
-   in as many words as the bands need (1 band: a.x; 2: a; 3: a, b, c.x). It works like snprintf. bands [limit: 1..4];
-   other values return 0. */
+   (ssgi_sh_turn) and a dot product. struct ssgi_sh { vec4 word0, word1, word2, word3; } holds coefficient 4w + k in
+   component k of word w, in as many words as the bands need (1 band: word0.x; 2: word0; 3: word0, word1, word2.x). It
+   works like snprintf. bands [limit: 1..4]; other values return 0. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* Writes the GLSL of functions that tell which light ambient visibility dims, for your own shaders, in any dialect:
-   twins of ssgi_interreflected, of three channels, and of ssgi_specular_visibility. It works like snprintf.
+/* Writes the GLSL of functions that dim diffuse and specular light by ambient visibility, for your own shaders, in any
+   dialect: twins of ssgi_interreflected (for three channels) and of ssgi_specular_visibility. It works like snprintf.
      vec3 ssgi_interreflected(float visibility, vec3 albedo);
      float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness);
-   Visibility and bent normals by one gather: S3HO of 2 bands, which ssgi_gl_read reads. */
+   One gather gives visibility and bent normals: S3HO with 2 bands, which ssgi_gl_read reads. */
 SSGI_DEF size_t ssgi_gl_reflection(char *out, size_t capacity);
 
 /* Writes the GLSL of fields for your own shaders, with its samplers:
      float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
    This function returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, or as many as it
    has, except those of that object (0: none), in the space that ssgi_gl_occluder_set was given. ssgi_gl_field reads
-   desc->input.cap_table, and whether desc->shader.dialect is VULKAN, which has another text. In GLES the text needs
+   desc->input.cap_table, and whether desc->shader.dialect is VULKAN, whose GLSL differs. In GLES the text needs
    "precision highp float; precision highp int;" before it, in VULKAN the extension
    GL_EXT_samplerless_texture_functions. It works like snprintf; a bad desc returns 0. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
-/* Writes the GLSL by which your own shaders read a result where they light a surface: in forward rendering, on edges of
-   multisampled pictures, on transparent surfaces. It stands in for the filter's pass (chain.blur 0), and weighs the
-   texels around the pixel as that pass does, but for the surface that you shade.
+/* Writes the GLSL by which your own shaders read a result while they light a surface: in forward rendering, on edges of
+   multisampled images, on transparent surfaces. It replaces the filter's pass (chain.blur 0): it weighs the texels
+   around the pixel as that pass does, but by the surface that you shade.
      float ssgi_visibility_at(vec2 pixel, float depth, vec3 normal);              of SSAO, HSAO
      vec3 ssgi_irradiance_at(vec2 pixel, float depth, vec3 normal);               of SSDO, SHADE, LIGHTS, S3HO shaded
      ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float depth, vec3 normal);    of S3HO: channel[0] ..
          are ssgi_gl_sh's struct, for ssgi_sh_dot; ssgi_ambient(coefficients).x is ambient visibility,
          ssgi_bent(channel[0]).xyz of 2 bands or more the bent normal, in view space: both by one gather, for
          ssgi_specular_visibility
-   Of HISTORY, SUM, and of a BLUR of light or coefficients, which are filtered already, they read the pixel's own texel,
-   and those around it where it shows another surface.
+   Results of HISTORY, SUM, and of a BLUR of light or coefficients are filtered already: of these they read the pixel's
+   own texel, and those around it only if it shows another surface.
      desc      of the step that wrote the result. Another pass, and a BLUR of visibility, which holds no depth, return 0
      pixel     [units: pixels] gl_FragCoord.xy less the first corner of your viewport
-     depth     [units: view] positive; ssgi_fragment_depth(pixel, gl_FragCoord.z) where desc.input.depth is WINDOW
+     depth     [units: view] positive; ssgi_fragment_depth(pixel, gl_FragCoord.z) if desc.input.depth is WINDOW
      normal    as desc.input says: in view space, or in the world
-   A surface that no texel shows, as a pane far in front of all else, is unoccluded: visibility and restored light go
-   there over the distance to the surfaces that are shown, by half at a radius; from full size at once. The block
-   ssgi_frame is ssgi_gl_frame, unless desc.shader.uniforms is LOOSE. A shader holds one such text, which reads one
-   texture, and with coefficients none of ssgi_gl_sh, whose functions it has. In GLES the text needs the lines that
-   ssgi_gl_field needs. It works like snprintf. */
+   A surface that no texel around shows, for instance a pane far in front of everything else, is unoccluded. Results at
+   half or a quarter of the resolution fade to unoccluded as the surface is farther from those that the texels show,
+   half of the way at one radius; results at full resolution go there at once. The block ssgi_frame is ssgi_gl_frame,
+   unless desc.shader.uniforms is LOOSE. A shader can hold one such text, which reads one texture. With coefficients it
+   has the functions of ssgi_gl_sh, so do not add those. In GLES the text needs the lines that ssgi_gl_field needs. It
+   works like snprintf. */
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
@@ -854,14 +858,14 @@ enum {
 typedef struct ssgi_gl_io {
     const char *name; /* exactly as in the shader: "t_ssgi_depth" */
     int kind;
-    const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D". OUTPUT of a compute stage: what is stored in
-                           an image2D, or where it begins with u in a uimage2D */
+    const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D". OUTPUT of a compute stage: the type that is
+                           stored, in a uimage2D if it begins with u, else in an image2D */
     int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass. OUTPUT, ATTRIBUTE: location, of
                            a compute stage the unit of the image.
                            CAPTURE: place in the interleaved buffer. CONSTANT: its value. PARAM: its block, 0
                            ssgi_frame, 1 ssgi_views */
     size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views, the same as in the std140 block. CONSTANT in
-                           VULKAN: its constant_id where it may be specialised. Otherwise 0 */
+                           VULKAN: its constant_id if it may be specialised. Otherwise 0 */
     const char *format; /* TEXTURE, OUTPUT: formats and content of the texture. PARAM: units */
     int set, binding;   /* TEXTURE, PARAM, and OUTPUT of a compute stage, in VULKAN: those of the texture, of the block,
                            of the image. In other dialects 0 and slot */
@@ -878,29 +882,29 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
 
-/* The draws of a desc: its pass, and the passes before and behind it. With all but desc and size at 0 the pass is drawn
+/* The draws of a desc: its pass, and the passes before and after it. With all but desc and size at 0 the pass is drawn
    alone. */
 typedef struct ssgi_gl_chain {
     /* ---- the passes */
     ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, AOF or DSS. The passes around it are drawn with its
                             choices, too: SSDO with an environment and a bounce draws that light, then its bounce; S3HO
-                            with a transfer draws its emitters first; DSS by LIGHT with a bounce then draws the light
-                            that surfels send */
+                            with a transfer draws its emitters first; DSS with EFFECT_LIGHT and a bounce adds a draw of
+                            the light that surfels send */
     ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc. Another pass:
                             none */
     int width, height;   /* [units: pixels] [limit: 1..16384]  of the image: ssgi_gl_frame.size */
 
     /* ---- the filter */
     int blur;         /* 1: gathered visibility and light are filtered within surfaces */
-    int history;      /* 1: they are also averaged over frames, at full size: pass history in place of blur. Needs
-                       blur = 1 */
+    int history;      /* 1: they are also averaged over frames, at full resolution: pass history instead of blur. Needs
+                         blur = 1 */
     int coefficients; /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is
                             filtered */
     int unsmoothed;   /* dss   1: levels are added unfiltered */
 
     /* ---- the emitters */
     int reuse;   /* ssdo   1: emitters send the last frame's light, so that one gather does light and bounce */
-    int bounced; /* ssdo   1: emitters send the last frame's bounce, too: a further bounce a frame, without a pass */
+    int bounced; /* ssdo   1: emitters send the last frame's bounce, too: each frame adds a bounce, but no pass */
     int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, and the bounce restores the light that
                    their clamp removes */
     int direct; /* 1: emitters send your own radiance, too (t_ssgi_direct) */
@@ -908,14 +912,14 @@ typedef struct ssgi_gl_chain {
     /* ---- surfels */
     int surfels;    /* dss   1: pass surfels writes the surfels of this frame: lit, or from patches */
     int hidden_sky; /* dss   1: desc.light.environment, unoccluded, lights the surfels that the picture does not show.
-                       LIGHT without span always has it light all surfels */
+                       EFFECT_LIGHT without span always lights all surfels by it */
 
     /* ---- targets */
     int precise; /* 0: 16-bit floats, and 8 bits for final visibility; 1: 32-bit floats; 2: for coefficients, too. With
                     0 nothing beyond a view depth of 65504 occludes or receives, as 16 bits end there */
-    int rgba8;   /* 1: these 8 bits are those of RGBA8, four times as many bytes, for devices that cannot draw into R8;
-                    GLES 3.0 and Vulkan demand that they can, but some drivers of phones cannot. Not with
-                    desc.shader.compute, where BASIC has RGBA8 */
+    int rgba8;   /* 1: 8-bit visibility is RGBA8 instead of R8, four times as many bytes, for devices that cannot draw
+                    into R8. GLES 3.0 and Vulkan demand that they can, but some phones' drivers cannot. Not with
+                    desc.shader.compute, whose BASIC has RGBA8 */
 } ssgi_gl_chain;
 
 /* The content of a texture of yours: ssgi_gl_input.meaning. */
@@ -957,17 +961,16 @@ typedef struct ssgi_gl_input {
     const char *name, *type;      /* as in the shader: "t_ssgi_depth", "sampler2D" */
     int unit;                     /* the sampler's: ssgi_gl_io.slot */
     unsigned target;              /* GL_TEXTURE_2D .. */
-    int set, binding;             /* VULKAN, WebGPU: those of a sampled image, by default's rule in other dialects */
+    int set, binding;             /* of the sampled image in VULKAN, WebGPU; other dialects: VULKAN's defaults */
     int array;                    /* 1: its view is of an array: VK_IMAGE_VIEW_TYPE_2D_ARRAY, "2d-array" */
-    int multisampled;             /* 1: it has samples: sampler2DMS, WebGPU's multisampled: true */
+    int multisampled;             /* 1: it is multisampled: sampler2DMS, WebGPU's multisampled: true */
     int integer;                  /* 1: of unsigned integers, WebGPU's sampleType "uint"; 0: "unfilterable-float" */
     int meaning;                  /* of a texture of yours SSGI_GL_YOUR_DEPTH ..; -1: the steps write the texture */
     int texture;                  /* the number of a texture that the steps write; -1: it is yours */
     int last;                     /* 1: it is read as the last frame left it */
-    const ssgi_gl_format *format; /* that of the steps' texture; NULL: it is yours, as ssgi_gl_io.format says */
-    int width, height;            /* the size of the steps' texture, as this frame writes it where it is read as the
-                                     last one left it; of yours the least size that is needed, 0 where that is not the
-                                     picture's */
+    const ssgi_gl_format *format; /* format of the steps' texture; NULL: it is yours, see ssgi_gl_io.format */
+    int width, height;            /* the size of the steps' texture (with `last` the size that this frame writes). Of
+                                     yours: the least size, if it must cover the image, else 0 */
 } ssgi_gl_input;
 
 /* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.filter.onto it has
@@ -1024,28 +1027,28 @@ typedef struct ssgi_gl_step {
     int groups[2]; /* desc.shader.compute: dispatch so many groups across and down instead; else 0 */
 } ssgi_gl_step;
 
-/* Room for the steps of a chain of one camera (desc.gather.views 0) and one layer of depth (desc.gather.layers up to
-   1), and for the textures that they write, whatever else it has: for what presets, ssgi_gl_plan and the methods of
-   build/render draw. Other chains may have more than a hundred steps: ssgi_gl_steps(NULL, 0, ..) tells how many. */
+/* Room for the steps of any chain with one camera (desc.gather.views 0) and one layer of depth (desc.gather.layers up
+   to 1), and for the textures that they write. Presets, ssgi_gl_plan and the methods of build/render have no more.
+   Other chains may have more than a hundred steps: ssgi_gl_steps(NULL, 0, ..) tells how many. */
 #define SSGI_GL_MAX_STEPS 32
 
 /* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0.
-   Where that is more than `capacity`, the rest is not written: read no step from there on. A bad chain returns 0, and
-   why says the reason. With desc.filter.onto the last step draws onto your picture.
+   If that is more than `capacity`, only the first `capacity` steps are written. A bad chain returns 0, and why says the
+   reason. With desc.filter.onto the last step draws onto your picture.
 
-   Clear the steps' textures to 0 when you make them. Where the picture's size changes, ask for the steps again; the
-   shaders stay, since none depends on the size. Textures of the greatest size stay, too, and the picture takes a part
-   of them, from frame.target on. Otherwise make them anew, of the size that the steps now say; but one that is read as
-   the last frame left it (input.last) is read once more, at its own size. So of such a pair make the one that this
-   frame writes anew first, and the other a frame later. */
+   Clear the steps' textures to 0 when you make them. If the size of the image changes, ask for the steps again; the
+   shaders stay, since none depends on the size. If your textures have the greatest size, they stay, too: the image
+   takes a part of them, from frame.target on. Otherwise make them anew, of the size that the steps now give. A texture
+   that is read as the last frame left it (input.last) is one of a pair, and this frame still reads it at its old size:
+   make the one that this frame writes anew now, and the other in the next frame. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
-/* A method: what README, tools and pages call by a name. */
+/* A method: a chain with the name that README, tools and pages use. */
 typedef struct ssgi_gl_method {
     const char *name;     /* "hsao-history" */
     const char *sentence; /* what it is for, and what it needs beyond depth and normals */
     int pass, preset;     /* chain.desc.pass; SSGI_GL_PRESET_FAST .. */
-    const char *settings; /* what differs from the preset, as ssgi_gl_chain_of takes it behind a name: "history=1" */
+    const char *settings; /* the settings unlike the preset's, as ssgi_gl_chain_of takes them: "history=1" */
 } ssgi_gl_method;
 
 /* The i-th method; NULL past the last. The first one of a pass is the plain one. */
@@ -1055,8 +1058,8 @@ SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i);
      name   "NAME[,PRESET][,FIELD=VALUE].." in any case, with - or _: "hsao", "hsao-history,thickness=slabs",
             "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at. PRESET: fast, balanced or best. FIELD: a
             name of ssgi_gl_choice_at, but pass, or of ssgi_gl_chain_choice_at; "lights." and a name: of chain.lights,
-            whose pass is LIGHTS then. VALUE: a number or a word. What is given stands over what the preset sets. An
-            unknown name gets a sentence with those near it. A bad name leaves the chain as it is */
+            whose pass is LIGHTS then. VALUE: a number or a word. A field that is given overrides the preset's value.
+            The sentence on an unknown name lists similar names. A bad name leaves the chain as it is */
 SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, const char **why);
 
 /* GL's state of the texture at a unit, or of a target. */
@@ -1066,11 +1069,11 @@ typedef struct ssgi_gl_bound {
     int width, height;
     unsigned filter;  /* GL_TEXTURE_MIN_FILTER; not looked at in targets */
     unsigned compare; /* GL_TEXTURE_COMPARE_MODE; not looked at in targets */
-    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; not looked at where it is 0, and in targets */
+    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; not looked at if it is 0, and in targets */
 } ssgi_gl_bound;
 
 /* For debug builds: writes a sentence on the first fault of a draw, which names step, texture and unit. It works like
-   snprintf, and returns 0 when there is no fault.
+   snprintf, and returns 0 if there is no fault.
      units      the texture at each of 16 units; NULL: units are not checked
      targets    the target of each of step->outputs; NULL: targets are not checked */
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
@@ -1084,36 +1087,37 @@ typedef struct ssgi_gl_frame {
     /* ---- the camera: from ssgi_view */
     float project[4];
     float unproject[4];
-    float decode[4]; /* ssgi_view.depth[0], [1], clear; 0. Where an orthographic camera stands behind its near plane or
-                        far away, [3] is the view depth at which the shaders' own space begins, which is then that of
-                        the depths that passes write, and [0] is counted from there */
+    float decode[4]; /* ssgi_view.depth[0], [1], clear; 0. If an orthographic camera's near plane lies behind its eye or
+                        far away, [3] is the view depth at which depth inside the shaders begins; [0], and the depths
+                        that passes write, then count from there */
 
     /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
     int32_t size[2];   /* [units: pixels]  of the image. With a margin it is larger than the part that is shown: scissor
-                          steps to the inner rectangle and the texels that their filters read, but not those of size
-                          LEVELS and TILES, nor passes thickness and emitters and those that light emitters, which are
-                          read a radius away */
-    int32_t target[2]; /* [units: texels]  first texel of the image in the textures that passes write; half of it in
-                          half size, a quarter in quarter size */
+                          steps to the shown rectangle and the texels that their filters read. Do not scissor steps of
+                          size LEVELS and TILES, passes thickness and emitters, and passes that light emitters: their
+                          targets are read a radius away */
+    int32_t target[2]; /* [units: texels]  first texel of the image in the textures that passes write; half of it at
+                          half resolution, a quarter at a quarter */
 
     /* ---- gathers */
     float radius; /* [units: view] [limit: > 0]  distance of the farthest occluder */
-    float offset; /* [units: half pixels] [default: 1.5]  lift of receivers along their normals, so that nearest
-                             fetches of their planes stay below them: of slices with desc.gather.lift alone */
-    float thickness_limit; /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces: with
-                             desc.gather.thickness CONSTANT; with WIDTH the most; with BACK and SLABS by points where
-                             there is no back face. ssgi_gl_frame_of knows what suits a chain */
-    float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
-    float fade;           /* [units: view] [default: 0.3 radii]  distance at which occluders begin to fade; at the
-                             radius: they do not */
-    float distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
-    float gain;           /* [default: 1]  factor of the patches' area in BOUNCE_PATCH: the paper's strength of the
+    float offset; /* [units: half pixels] [default: 1.5]  lift of receivers along their normals, so that depths of their
+                     own plane stay below them (ssgi_normal_offset). Slices lift only with desc.gather.lift */
+    float thickness_limit; /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces with
+                              desc.gather.thickness CONSTANT; the largest thickness with WIDTH; for points with BACK and
+                              SLABS that of surfaces without a back face. ssgi_gl_frame_of sets the value that suits a
+                              chain */
+    float phase;           /* [limit: 0..1]  turns the noise; 0, or if frames are averaged another value each frame */
+    float fade;            /* [units: view] [default: 0.3 radii]  distance at which occluders begin to fade; with the
+                             radius they do not fade */
+    float distance_clamp;  /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
+    float gain;            /* [default: 1]  factor of the patches' area in BOUNCE_PATCH: the paper's strength of the
                              bounce */
-    float max_slope;      /* [default: 20]  shadow maps: their bias grows with the slope, tan of light against normal,
+    float max_slope;       /* [default: 20]  shadow maps: their bias grows with the slope, tan of light against normal,
                              up to this slope */
-    int32_t lights;       /* how many rows of t_ssgi_lights are read, at most as many as it has */
-    float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.gather.fade LAMBDA */
+    int32_t lights;        /* how many rows of t_ssgi_lights are read, at most as many as it has */
+    float lambda;          /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.gather.fade LAMBDA */
 
     /* ---- the world */
     float rotation[12];  /* world to view, 3 columns padded to 4, for all inputs in the world; identity by default */
@@ -1129,7 +1133,7 @@ typedef struct ssgi_gl_frame {
                          the last frame's minimum, for instance, culls most occluders and surfels around the eye */
     float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light. desc.light.clamp   the most luminance
-                         that an emitter sends: some times that of your brightest wide surface */
+                         that an emitter sends: a few times that of your brightest wide surface */
     float epsilon;    /* dss   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
                          times the radiance that it sends over `sent` (times the lobe's peak): ssgi_gl_frame_of */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
@@ -1144,26 +1148,28 @@ typedef struct ssgi_gl_frame {
     float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float last_from[16];  /* and back: ssgi_gl_frame_history */
     int32_t layer;        /* desc.input.array: the layer of your array textures */
-    float pace;           /* history   [limit: > 0] [default: 1]  how long the last frame took over how long this one
-                            took: ssgi_gl_frame_time */
+    float pace;           /* history   [limit: > 0] [default: 1]  duration of the last frame / duration of this one:
+                             ssgi_gl_frame_time */
     int32_t last_size[2]; /* [units: pixels]  of the last frame's image: ssgi_gl_frame_history */
-    float jitter[2];      /* [units: pixels of the last frame] [default: 0]  of a projection that trembles for TAA:
-                             this frame's jitter less the last one's. Averages then stand for pixels, not for places in
-                             them, and lose nothing to interpolation; t_ssgi_motion leaves jitter out. Where the
-                             projection moves by jitter alone, project[2], [3] (for another size times last_size over
-                             size) less that of the last frame's view */
-    float last_footprint; /* [limit: >= 1]  width of the last frame's pixels over that of this frame's, at least 1:
-                            ssgi_gl_frame_history */
+    float jitter[2];      /* [units: pixels of the last frame] [default: 0]  of a projection that is jittered for TAA:
+                             this frame's jitter - the last one's. Averages then belong to whole pixels, not to places
+                             in them, and lose nothing to interpolation; t_ssgi_motion must not contain jitter. If the
+                             projection changes by jitter alone, it is project[2], [3] (times last_size / size if the
+                             size changes) - those of the last frame's view */
+    float last_footprint; /* [limit: >= 1]  width of the last frame's pixels / width of this frame's, at least 1:
+                             ssgi_gl_frame_history */
     float strength;       /* desc.filter.onto   [limit: >= 0] [default: 1]  visibility v goes onto your picture as 1 +
-                             strength * (v - 1), and not below 0: for looks, as all but 1 departs from the truth */
+                             strength * (v - 1), and not below 0: for looks, as every value but 1 departs from ground
+                             truth */
 } ssgi_gl_frame;
 
 /* Fills a frame from a view: the image is at the origin of textures and targets, all other members have their defaults.
      radius   [units: view] [limit: > 0] */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* The same, with the values that suit a chain: thickness_limit is 1 radius for ssao, 0.7 for light by points, 0.5 for
-   the march, 0.4 for light by slices, else 0.6; epsilon is 0.02 for SCATTER, 0.1 for SPECULAR, else 0.3. */
+/* Fills a frame as ssgi_gl_frame_init does, with the values that suit a chain: thickness_limit is 1 radius for ssao,
+   0.7 for light by points, 0.5 for the march, 0.4 for light by slices, else 0.6; epsilon is 0.02 for SCATTER, 0.1 for
+   SPECULAR, else 0.3. */
 SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain *chain, const ssgi_view *view,
                                       float radius, const char **why);
 
@@ -1174,8 +1180,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain 
 SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *frame, const char *name,
                               const ssgi_view *view, float radius, const char **why);
 
-/* Sets history, last_to, last_from, last_size, last_footprint. Leave history 0 at a cut.
-     view, last_world_to_view    those of the last frame, as GL had them, jitter and all. view has this frame's kind of
+/* Sets history_frames, last_to, last_from, last_size, last_footprint. Not after a cut: history_frames is then 0.
+     view, last_world_to_view    those of the last frame, as GL had them, jitter included. view has this frame's kind of
                                  projection and may have another size: the textures that the last frame wrote are read
                                  at that size, from frame.target on, and must not have been cleared or made anew
      matrices                    [limit: rigid, finite] world to view space */
@@ -1183,10 +1189,11 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why);
 
-/* Counts history in seconds, for frames that take unequal times: sets history and pace, after ssgi_gl_frame_history.
-     memory          [units: seconds] [limit: > 0] older frames hardly count: 0.27 is 16 frames of 60 a second
-     elapsed, last   [units: seconds] [limit: > 0] how long this frame and the last one take: times from picture to
-                     picture. The average then follows changes as fast at any rate of frames */
+/* Counts history in seconds, for frames that take unequal times: sets history_frames and pace, after
+   ssgi_gl_frame_history.
+     memory          [units: seconds] [limit: > 0] older frames hardly count: 0.27 is 16 frames at 60 a second
+     elapsed, last   [units: seconds] [limit: > 0] how long this frame and the last one take, from one picture to the
+                     next. The average then follows changes as fast at any rate of frames */
 SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, float elapsed, float last,
                                         const char **why);
 
@@ -1197,14 +1204,14 @@ SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
 /* Sets the members that surfels are made with, except desc->overhang, which the shader has:
    ssgi_gl_desc.surfel.overhang.
-   Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
+   Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits the mesh needs.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
      mesh_to_view   as source.to_view; NULL: frame->mesh stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          const float *mesh_to_view, const char **why);
 
 /* Sets frame->dipole.
-     unit   [limit: > 0] view units in the dipole's unit of length (0.001 when it is in mm and the scene in m) */
+     unit   [limit: > 0] view units in the dipole's unit of length (0.001 if that is mm and the scene is in m) */
 SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why);
 
 /* Sets frame->harmonics.
@@ -1226,7 +1233,8 @@ typedef struct ssgi_gl_views {
 } ssgi_gl_views;
 
 /* Sets camera i of 0..3: view and extra_world_to_view are those of the extra camera. An oblique view is refused. With a
-   bounce give a perspective view, whatever yours is: the camera's emitters are packed as one of perspective has them.
+   bounce it must be a perspective view, whatever yours is: the extra camera's emitters are packed as a perspective
+   camera's are.
      matrices   [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
@@ -1261,8 +1269,8 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
                                        const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why);
 
-/* Sets frame->sent to a radiance such that half of all light is sent by surfels that send as much or more, in their
-   largest component. frame->sent stays where none sends a radiance above 1e-30.
+/* Sets frame->sent to a radiance such that surfels of this radiance or more, in their largest component, send half of
+   all light. frame->sent stays as it is if no surfel sends a radiance above 1e-30.
      surfels    with their colours as yet unlit [limit: finite]
      lights     rows of t_ssgi_lights that light them, unshadowed; a SPOT lights within its map [limit: finite]
      sky        mean radiance of the environment [limit: >= 0, finite; NULL: black] */
@@ -1312,13 +1320,13 @@ extern "C" {
 
 /* ==== >>library ===================================================================================================
 
-   Entries are whole functions, in the order in which GLSL wants them; constants, structs and globals are entries too.
+   Entries are whole functions, in the order in which GLSL wants them; constants, structs and globals are entries, too.
    The emitter keeps an entry if its name occurs in an entry that it keeps and that stands further down (>>passes names
    main_*), and if the condition `when` holds (NULL: always): entries of one name are alternatives, and exclude each
    other. Conditions, of #if and #elif lines, too, are GLSL's. They name fields of the desc as macros, SSGI_THICKNESS
    for desc.gather.thickness, and their values, SSGI_THICKNESS_SLABS for SSGI_GL_THICKNESS_SLABS. The emitter resolves
-   these lines, and none reaches the shader. Your textures are fetched at ", pixel + u_ssgi_origin, 0": where they are
-   arrays (desc.input.array) the emitter puts the layer in. make glsl-out DIR=d writes the library as files that
+   these lines, and none reaches the shader. Your textures are fetched at ", pixel + u_ssgi_origin, 0": if they are
+   arrays (desc.input.array), the emitter puts the layer in. make glsl-out DIR=d writes the library as files that
    editors read. */
 typedef struct ssgi_gl__code {
     const char *name, *when;
