@@ -1366,20 +1366,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The last bits of the phase say which: ssgi_gl_phase. */
+/* The last four bits of frame.phase choose the pixel that is gathered: ssgi_gl_phase. */
 { "ssgi_turn", NULL, __LINE__ + 1,
-    "ivec2 ssgi_turn(int bit) { // which pixel of every 2x2 has its turn, by two bits from that one on\n"
+    "ivec2 ssgi_turn(int bit) { // the pixel of every 2x2 whose turn it is, by two bits of the phase, from `bit` on\n"
     "    int turn = int(16777216.0 * u_ssgi_phase) >> bit;\n"
     "    return ivec2(turn, turn + (turn >> 1)) & 1;\n"
     "}\n" },
 
 { "ssgi_turn_of_16", NULL, __LINE__ + 1,
-    "ivec2 ssgi_turn_of_16() { // which pixel of every 4x4: any four frames in a row take one of each 2x2 of it\n"
+    "ivec2 ssgi_turn_of_16() { // the pixel of every 4x4 whose turn it is: four frames visit each 2x2 of it once\n"
     "    return 2 * ssgi_turn(0) + ssgi_turn(2);\n"
     "}\n" },
 
 { "ssgi_gathered", NULL, __LINE__ + 1,
-    "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
+    "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of the gather's image stands for\n"
     "#if SSGI_RESOLUTION == SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
     "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
@@ -1393,9 +1393,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The space of the shaders begins at u_ssgi_decode.w in front of an orthographic camera's eye, as floats would lose
-   depth where that eye is far away: ssgi_gl_frame_init. Perspective cameras have 0 there, and the functions below
-   return what they get. */
+/* With an orthographic camera the shaders count depth from u_ssgi_decode.w instead of the eye, since floats would lose
+   precision if the eye is far away: ssgi_gl_frame_init. With a perspective camera they count from the eye, and the
+   functions below return their argument. */
 { "ssgi_own_depth", NULL, __LINE__ + 1,
     "float ssgi_own_depth(float z) { // returns a depth of your view space in the space of the shaders\n"
     "#if SSGI_ORTHOGRAPHIC\n"
@@ -1421,7 +1421,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_row_of_yours", NULL, __LINE__ + 1,
-    "vec4 ssgi_row_of_yours(vec4 row) { // turns a row that takes your view space into one of the shaders' space\n"
+    "vec4 ssgi_row_of_yours(vec4 row) { // turns a matrix's row for your view space into one for the shaders' space\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    row.w -= row.z * u_ssgi_decode.w;\n"
     "#endif\n"
@@ -1439,10 +1439,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_linear_depth", NULL, __LINE__ + 1,
-    "float ssgi_linear_depth(float z) { // returns the view depth of one of yours\n"
+    "float ssgi_linear_depth(float z) { // returns the shaders' view depth of yours; SSGI_FAR: background\n"
     "    float own = ssgi_own_depth(z);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    if (z == 0.0) own = SSGI_FAR; // It is background where yours may be negative, too.\n"
+    "    if (z == 0.0) own = SSGI_FAR; // 0 is background even if your depths may be negative.\n"
     "#endif\n"
     "    return own > SSGI_NEAR && own < SSGI_FAR ? own : SSGI_FAR;\n"
     "}\n" },
@@ -1467,11 +1467,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u_ssgi_target & -2;\n"
     "}\n" },
 
-/* A texel of pass thickness holds a 2x2. Perspective: each pixel has a float of view depth, whose last 6 bits are
-   thickness instead. An orthographic camera may be so far away that these bits matter. There x is the whole view depth
-   of the first pixel, or of the nearest one if the first is background; y, z and w are for the others: their difference
-   to it in the first 24 bits of a float, then 2 bits of the first one's thickness, then the 6 bits of their own.
-   Thickness 0 is background, as are fetches beyond the picture. */
+/* A texel of pass thickness holds 2x2 pixels. With a perspective camera each pixel has a float of view depth, whose
+   last 6 bits hold the thickness instead. An orthographic camera may be so far away that depth needs these bits. With
+   it x is the whole view depth of the first pixel, or of the nearest one if the first is background; y, z and w are for
+   the other pixels: their difference to x in the first 24 bits of a float, then 2 bits of the first pixel's thickness,
+   then 6 bits of their own thickness. Thickness 0 is background, as are fetches beyond the picture. */
 { "ssgi_measured_texel", NULL, __LINE__ + 1,
     "// Returns view depth, and thickness in radii / 63, as pass thickness wrote them for a pixel of its texture.\n"
     "vec2 ssgi_measured_texel(ivec2 pixel) {\n"
@@ -1491,12 +1491,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_measured", NULL, __LINE__ + 1,
-    "vec2 ssgi_measured(ivec2 pixel) { // returns these for a pixel of the picture\n"
+    "vec2 ssgi_measured(ivec2 pixel) { // returns the same for a pixel of the picture\n"
     "    return ssgi_measured_texel(pixel + ssgi_measured_origin());\n"
     "}\n" },
 
 { "SSGI_MEASURED_ROUNDS", NULL, __LINE__ + 1,
-    "const float SSGI_MEASURED_ROUNDS = 4e-6; // the share by which packing changes a depth, at most\n" },
+    "const float SSGI_MEASURED_ROUNDS = 4e-6; // packing changes a depth by this share at most\n" },
 
 { "ssgi_depth", "SSGI_MEASURED", __LINE__ + 1,
     "float ssgi_depth(ivec2 pixel) { // returns the view depth at a pixel\n"
@@ -1537,7 +1537,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Returns view depths: of the back face nearest behind the visible surface, of the next front face, its back.\n"
+    "// Returns view depths: the nearest back face behind the visible surface, the next front face, its back face.\n"
     "vec3 ssgi_slabs(ivec2 pixel) {\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_BACK\n"
     "    vec3 z = vec3(texelFetch(t_ssgi_back, pixel + u_ssgi_origin, 0).x, 0.0, 0.0);\n"
@@ -1592,7 +1592,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_above_plane", NULL, __LINE__ + 1,
-    "// Returns how high a point stands above that plane: it is seen at that offset in pixels from P at view depth z.\n"
+    "// Returns the height above that plane of the point that is seen `offset` pixels from P, at view depth z.\n"
     "float ssgi_above_plane(vec4 plane, vec2 offset, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return plane.x * offset.x + (plane.y * offset.y + (plane.z * z + plane.w));\n"
@@ -1602,7 +1602,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_screen", NULL, __LINE__ + 1,
-    "// Returns how many pixels a small step from P along a direction covers, per unit of length.\n"
+    "// Returns how many pixels a small way from P along a direction covers, per unit of length.\n"
     "vec2 ssgi_screen(vec3 P, vec3 direction) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return direction.xy * u_ssgi_project.xy;\n"
@@ -1621,15 +1621,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sphere", NULL, __LINE__ + 1,
-    "// Returns the corner, 0 or 1 along x and y, of a sphere's pixels beyond the near depth; empty: all are one.\n"
-    "// Unless normal is 0, only the half before its disc counts.\n"
+    "// Returns a corner, 0 lower or 1 upper along x and y, of the pixels that a sphere covers beyond the near\n"
+    "// depth: all corners are one if it covers none. Unless normal is 0, only the half before its disc counts.\n"
     "vec2 ssgi_sphere(vec4 ball, vec3 normal, vec2 corner) {\n"
     "    float near = ssgi_own_depth(u_ssgi_near_depth);\n"
     "    float z = -ball.z;\n"
     "    float radius = ball.w;\n"
     "    float deep = radius * length(normal.xy);\n"
     "    if (z + (normal.z > 0.0 ? deep : radius) <= near) return vec2(0.0);\n"
-    "    // Axes are mirrored so that the bound is the upper one.\n"
+    "    // For a lower bound an axis is mirrored, so that it becomes an upper bound.\n"
     "    vec2 side = (corner * 2.0 - 1.0) * sign(u_ssgi_project.xy);\n"
     "    vec2 x = side * ball.xy;\n"
     "    vec2 facing = side * normal.xy;\n"
@@ -1639,7 +1639,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 disc = x + radius * sqrt(normal.yx * normal.yx + normal.z * normal.z);\n"
     "    vec2 away = facing;\n"
     "#else\n"
-    "    // It is the slope of the tangent, or where the near depth cuts the sphere.\n"
+    "    // The edge is a slope: of the tangent, or of the point where the near depth cuts the sphere.\n"
     "    vec2 squared = x * x + z * z;\n"
     "    vec2 outside = squared - radius * radius;\n"
     "    vec2 tangent = sqrt(max(outside, 0.0));\n"
@@ -1651,7 +1651,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 disc = (x * z - radius * radius * normal.z * facing + radius * wide) / ((z - deep) * (z + deep));\n"
     "    vec2 away = z - deep > near ? facing + disc * normal.z : vec2(0.0);\n"
     "#endif\n"
-    "    // Where a tangent touches the other half, the disc's counts.\n"
+    "    // If the tangent touches the other half, the disc's edge counts.\n"
     "    edge = mix(edge, min(edge, disc), lessThan(away, vec2(0.0)));\n"
     "    return side * edge * u_ssgi_project.xy + u_ssgi_project.zw;\n"
     "}\n" },
@@ -1789,7 +1789,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(mix(lower_left, lower_right, place.x), mix(upper_left, upper_right, place.x), place.y);\n"
     "}\n" },
 
-/* ---- Pass emitters packs a surface into 64 bits, so that a sample fetches it at once. Radiance is m * 2^(e - 24),
+/* ---- Pass emitters packs a surface into 64 bits, so that a sample reads it by one fetch. Radiance is m * 2^(e - 24),
    with 9 bits of m a channel and 5 of e. View depth has 6 bits of its float's exponent, from 2^-20 on, and 14 of its
    mantissa. The normal has 6 bits of each octahedral coordinate. */
 
@@ -1800,12 +1800,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_unpack_depth", NULL, __LINE__ + 1,
-    "float ssgi_unpack_depth(uint bits) { // returns the view depth that it packed\n"
+    "float ssgi_unpack_depth(uint bits) { // returns the view depth that pass emitters packed\n"
     "    return bits < 0xfffff000u ? uintBitsToFloat(((bits >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_unpack_normal", NULL, __LINE__ + 1,
-    "vec3 ssgi_unpack_normal(uint bits) { // returns the normal that it packed; its length is not 1\n"
+    "vec3 ssgi_unpack_normal(uint bits) { // returns the normal that pass emitters packed; its length is not 1\n"
     "    return ssgi_octahedral_decode((vec2(float(bits & 63u), float((bits >> 6u) & 63u)) - 32.0) / 31.0);\n"
     "}\n" },
 
@@ -1813,7 +1813,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Packs radiance in [0, 65408] as three mantissas of 9 bits and one exponent.\n"
     "uint ssgi_pack_radiance(vec3 radiance) {\n"
     "    radiance = clamp(radiance, 0.0, 65408.0);\n"
-    "    // Times 1 + 2^-10, as a mantissa that would round to 512 belongs to the next exponent.\n"
+    "    // The factor is 1 + 2^-10, since a mantissa that would round to 512 belongs to the next exponent.\n"
     "    float most = max(max(radiance.x, radiance.y), max(radiance.z, 6.1035156e-5)) * 1.0009775;\n"
     "    uint exponent = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
     "    uvec3 mantissas = min(uvec3(radiance * uintBitsToFloat((151u - exponent) << 23u) + 0.5), uvec3(511u));\n"
@@ -1821,7 +1821,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_place", NULL, __LINE__ + 1,
-    "// A view depth in [1e-6, 1e13] keeps 3e-5 of itself, a normal is kept to 4 degrees.\n"
+    "// Packs a view depth in [1e-6, 1e13] and a normal. The errors are 3e-5 of the depth and 4 degrees.\n"
     "uint ssgi_pack_place(float z, vec3 normal) {\n"
     "    uvec2 square = uvec2(round(ssgi_octahedral(normal) * 31.0) + 32.0);\n"
     "    uint depth = ((floatBitsToUint(clamp(z, 1e-6, 1e13)) + 256u) >> 9u) - (107u << 14u);\n"
@@ -1840,7 +1840,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_segment_length; // of the segment that pass lights tests, in view units\n" },
 
 { "ssgi_measured_width", NULL, __LINE__ + 1,
-    "float ssgi_measured_width(float thickness) { // returns a thickness that ssgi_measured gave in view units\n"
+    "float ssgi_measured_width(float thickness) { // returns a thickness of ssgi_measured in view units\n"
     "    float width = thickness * (u_ssgi_radius / 63.0);\n"
     "#if SSGI_PASS == SSGI_PASS_LIGHTS\n"
     "    return min(width, 2.0 * ssgi_segment_length);\n"
@@ -1884,11 +1884,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* ---- pass thickness: a surface is taken to be as thick as it is wide in the picture. From the first pixel of each 2x2
-   ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
-   run reaches half the radius, or SSGI_LONGEST where that is more. If a probe finds its end, the surface ended between
-   that probe and the last one, which stood half as far: the half counts, so that thin things are not taken for too
-   thick, and more samples do not darken the surfaces behind them. A run that finds no end counts as a radius. The other
-   three pixels share the width if they lie in the first one's plane, and have SSGI_OTHER if they do not. */
+   ssgi_run goes left, right, down and up until the surface drops away; the width is the lesser of left + right and down
+   + up. A run reaches half the radius, or SSGI_LONGEST if that is more. If a probe finds the surface's end, the end
+   lies between this probe and the nearer one at half its distance. Half the distance counts, so that thin things do not
+   become too thick, and more samples do not darken the surfaces behind them. A run that finds no end counts as a
+   radius. The other three pixels get the same width if they lie in the first pixel's plane, else SSGI_OTHER. */
 
 { "SSGI_THINNEST", NULL, __LINE__ + 1,
     "const float SSGI_THINNEST = 0.02; // No surface is thinner than this share of the radius.\n" },
@@ -1903,7 +1903,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_LONGEST = 32.0; // pixels that a run reaches at least\n" },
 
 { "SSGI_STEEPEST", NULL, __LINE__ + 1,
-    "const float SSGI_STEEPEST = 2.0; // footprints a pixel\n" },
+    "const float SSGI_STEEPEST = 2.0; // footprints of depth a pixel: ssgi_slope\n" },
 
 { "ssgi_flat_depth", NULL, __LINE__ + 1,
     "// Returns depth, or one over depth in perspective: linear in the pixel on a plane.\n"
@@ -1916,12 +1916,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Two pixels of one line with p tell on which side p's surface goes on, as p may be the first of it behind an edge.
-   Where neither side has a line, as on leaves, the lesser difference counts, and none if both are steep and differ. On
-   14 scenes by seed hsao has an error of .4022; by lesser differences alone .4035, by normals .4016. */
+/* The pixel may be its surface's first beside an edge. The surface goes on to the side on which the next two pixels lie
+   on a line with it. If neither side has a line (leaves), the lesser difference counts, or 0 if both are steep and
+   differ. On 14 scenes by seed hsao has a relative error of .4022; with the lesser difference alone .4035, with normals
+   .4016. */
 { "ssgi_slope", NULL, __LINE__ + 1,
-    "// Returns how much ssgi_flat_depth grows a pixel along a direction of the picture. At the pixel it is `here`,\n"
-    "// at the next pixel `next`. More than `steep` is trusted only if both sides agree.\n"
+    "// Returns how much ssgi_flat_depth grows per pixel along a direction of the picture. It is `here` at the\n"
+    "// pixel and `next` at the next one. A growth of more than `steep` counts only if both sides agree.\n"
     "float ssgi_slope(ivec2 pixel, ivec2 way, float here, float next, float steep) {\n"
     "    float last = ssgi_flat_depth(pixel - way);\n"
     "    float ahead = next - here;\n"
@@ -1933,7 +1934,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs(lesser) < steep || abs(ahead - behind) < abs(lesser) ? lesser : 0.0;\n"
     "}\n" },
 
-/* It needs no normals, which would double the bytes that the pass reads. */
+/* The plane comes from depth alone: normals would double the bytes that the pass reads. */
 { "ssgi_facet", NULL, __LINE__ + 1,
     "// The plane of the surface at P by depth alone, in the form of ssgi_plane. z: view depths of pixel and its next\n"
     "// pixels along x and along y.\n"
@@ -1956,8 +1957,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_end", NULL, __LINE__ + 1,
-    "// Whether the surface at P ends so many pixels away: -1 it drops below the tangent plane there, away from the\n"
-    "// viewer, or nothing is seen; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
+    "// Whether the surface at P ends at an offset: -1 it drops below the tangent plane, away from the viewer, or\n"
+    "// background is seen there; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
     "int ssgi_end(ivec2 pixel, ivec2 offset, vec3 P, vec4 plane, float slack) {\n"
     "    float z = ssgi_depth(pixel + offset);\n"
     "    float height = ssgi_above_plane(plane, vec2(offset), z);\n"
@@ -1967,8 +1968,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_run", NULL, __LINE__ + 1,
-    "// How many pixels the surface at P goes on along a direction of the picture until it drops away. Where another\n"
-    "// surface rises above it, and at the picture's edge, its end is hidden, and counts as not found.\n"
+    "// Returns for how many pixels the surface at P goes on along a direction of the picture until it drops away.\n"
+    "// If another surface or the picture's edge hides the end, it counts as not found, which returns `pixels`.\n"
     "float ssgi_run(ivec2 pixel, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
     "    float run = pixels;\n"
     "    float reach = max(0.5 * pixels, SSGI_LONGEST);\n"
@@ -1982,8 +1983,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slab_widths", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Of a 2x2, pixels with a back face are as thick as that is far; others keep their width, but for sheets,\n"
-    "// which show their back face and have half of it.\n"
+    "// In a 2x2 a pixel is as thick as the way to its back face. Without a back face it keeps its width; a sheet,\n"
+    "// which is its own back face, keeps half of it.\n"
     "vec4 ssgi_slab_widths(ivec2 pixel, vec4 z, vec4 width) {\n"
     "    for (int i = 0; i < 4; ++i) {\n"
     "        float back = ssgi_slabs(pixel + ivec2(i & 1, i >> 1)).x;\n"
@@ -1993,7 +1994,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_measured", NULL, __LINE__ + 1,
-    "// of a 2x2 view depths, and thicknesses in [0, 1] of the radius\n"
+    "// Packs the view depths and the thicknesses of a 2x2, these in [0, 1] of the radius.\n"
     "uvec4 ssgi_pack_measured(vec4 z, vec4 width) {\n"
     "    uvec4 thickness = uvec4(width * 63.0 + 0.5);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
@@ -2044,7 +2045,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_n; // the unit normal of the receiver\n" },
 
 { "ssgi_point", NULL, __LINE__ + 1,
-    "// Returns the view-space point of a pixel and depth of camera view; -1 is the main one.\n"
+    "// Returns the view-space point at a pixel and a depth of camera `view`; view -1 is the main camera.\n"
     "vec3 ssgi_point(int view, ivec2 pixel, float z) {\n"
     "#if SSGI_VIEWS\n"
     "    float unit = u_ssgi_view_decode[max(view, 0)].w > 0.0 ? 1.0 : z;\n"
@@ -2055,7 +2056,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_emitter", NULL, __LINE__ + 1,
-    "// This is the radiance that the occluder of a sample sends to the receiver; w: its distance from the sample.\n"
+    "// The radiance that a sample's occluder sends to the receiver; w: its squared distance from the segment.\n"
     "vec4 ssgi_emitter;\n" },
 
 { "ssgi_emitter_place", NULL, __LINE__ + 1,
@@ -2074,7 +2075,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_radiance_from", "SSGI_BOUNCE != SSGI_BOUNCE_PATCH", __LINE__ + 1,
-    "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) { // radiance that the receiver gets from a surface there\n"
+    "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) { // radiance that the receiver gets from it at place\n"
     "#if !SSGI_TWO_SIDED\n"
     "    if (!(dot(ssgi_unpack_normal(emitter.y), ssgi_P - place) > 0.0)) return vec3(0.0);\n"
     "#endif\n"
@@ -2099,7 +2100,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_fade_weight", NULL, __LINE__ + 1,
-    "float ssgi_fade_weight(vec3 place) { // how much an occluder counts that the depth buffer has at place\n"
+    "float ssgi_fade_weight(vec3 place) { // the weight of an occluder that the depth buffer has at place\n"
     "    vec3 offset = place - ssgi_P;\n"
     "    float radii = length(offset) / u_ssgi_radius;\n"
     "    float weight = 1.0;\n"
@@ -2191,7 +2192,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_solid_occludes", NULL, __LINE__ + 1,
-    "// Returns how much the solid that holds depth at a pixel of camera view counts.\n"
+    "// Returns the weight of a solid in which `depth` lies at a pixel of camera `view`.\n"
     "float ssgi_solid_occludes(ssgi_solid solid, int view, ivec2 pixel, float depth) {\n"
     "#if SSGI_PASS == SSGI_PASS_HSAO && SSGI_MARCH_TERMS != SSGI_MARCH_TERMS_RAYS\n"
     "    ssgi_offer_rise(ssgi_point(view, pixel, solid.front));\n"
@@ -2209,10 +2210,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occupancy", NULL, __LINE__ + 1,
-    "// Where depth lies at a pixel of camera view. Above 0: inside a solid, which reaches from an odd layer to the\n"
-    "// next; -1: before the visible surface by more than the slack; 0: that is unknown.\n"
+    "// Where `depth` lies at a pixel of camera `view`. Above 0: inside a solid of this weight, which reaches from\n"
+    "// an odd layer to the next; -1: in front of the visible surface by more than the slack; 0: unknown.\n"
     "float ssgi_occupancy(int view, ivec2 pixel, float depth, int layers, float slack) {\n"
-    "    // A solid whose far side no layer has is as thick as ssgi_thickness(), or endless; the rest is unknown.\n"
+    "    // A solid whose back no layer has is as thick as ssgi_thickness(), or endless; beyond it all is unknown.\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
     "    for (int layer = 0; layer < layers; layer += 2) {\n"
@@ -2224,18 +2225,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (!known && depth <= solid.front - slack) found = -1.0;\n"
     "        if (!known && depth > solid.front && depth < back)\n"
     "            found = ssgi_solid_occludes(solid, view, pixel, depth);\n"
-    "        // Within the slack before a surface it is unknown, too.\n"
+    "        // Places less than the slack in front of a surface are unknown, too.\n"
     "        known = known || depth < back || solid.back >= SSGI_FAR;\n"
     "    }\n"
     "    return found;\n"
     "}\n" },
 
 { "ssgi_occupancy_of_view", NULL, __LINE__ + 1,
-    "// Returns where the probe lies as extra camera view sees it, as ssgi_occupancy says; 0 out of its picture.\n"
+    "// Returns ssgi_occupancy of the probe for extra camera `view`; 0 outside that camera's picture.\n"
     "float ssgi_occupancy_of_view(int view, vec3 probe) {\n"
     "    vec3 shift = u_ssgi_view_to[view][3].xyz;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w; // Of probe.z it would round each point by itself.\n"
+    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w; // In probe.z it would round each point.\n"
     "#endif\n"
     "    vec3 seen = mat3(u_ssgi_view_to[view]) * probe + shift;\n"
     "    float unit = u_ssgi_view_decode[view].w > 0.0 ? 1.0 : seen.z;\n"
@@ -2246,7 +2247,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occlusion_at", "SSGI_LAYERS > 1 || SSGI_VIEWS", __LINE__ + 1,
-    "float ssgi_occlusion_at(vec3 probe) { // how much the solid counts that the probe is in; 0: it is in none\n"
+    "float ssgi_occlusion_at(vec3 probe) { // the weight of the solid that the probe is in; 0: it is in none\n"
     "    ivec2 pixel = ivec2(floor(ssgi_project(probe)));\n"
     "#if SSGI_BOUNCE\n"
     "    ssgi_emitter = vec4(0.0, 0.0, 0.0, SSGI_FAR);\n"
@@ -2255,7 +2256,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float found = probe.z < 0.0 && ssgi_inside(pixel) ? ssgi_occupancy(-1, pixel, -probe.z, SSGI_LAYERS, 0.0)\n"
     "        : 0.0;\n"
     "#if SSGI_VIEWS\n"
-    "    for (int view = 0; view < SSGI_VIEWS; ++view) { // one camera that sees it unoccluded outvotes all others\n"
+    "    for (int view = 0; view < SSGI_VIEWS; ++view) { // a camera that sees it unoccluded decides\n"
     "        float known = ssgi_occupancy_of_view(view, probe);\n"
     "        found = min(found, known) < 0.0 ? -1.0 : max(found, known);\n"
     "    }\n"
@@ -2282,7 +2283,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_in_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Whether depth lies in a pixel's first slab, which begins at z, or in its second, whose front z becomes.\n"
+    "// Whether `depth` lies in a pixel's first slab, which begins at z, or in its second: z is then the second's\n"
+    "// front.\n"
     "bool ssgi_in_slabs(ivec2 pixel, float depth, inout float z) {\n"
     "    vec3 back = ssgi_slabs(pixel);\n"
     "    vec2 front = vec2(z, back.y);\n"
@@ -2301,7 +2303,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occlusion_at", "!(SSGI_LAYERS > 1 || SSGI_VIEWS)", __LINE__ + 1,
-    "// How much the surface counts that the probe is in, behind its front; 0: it is in none, off screen, or\n"
+    "// Returns the weight of the surface within whose thickness the probe lies; 0: it lies in none, off screen, or\n"
     "// behind the eye.\n"
     "float ssgi_occlusion_at(vec3 probe) {\n"
     "    ivec2 pixel = ivec2(floor(ssgi_project(probe)));\n"
@@ -2313,7 +2315,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS == SSGI_THICKNESS_SOLID\n"
     "    bool found = -probe.z > z;\n"
     "#endif\n"
-    "    bool seen = ssgi_inside(pixel); // not behind &&, where compilers read the uniforms anew for every point\n"
+    "    bool seen = ssgi_inside(pixel); // not after &&: there compilers read the uniforms anew for every point\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
     "    float end_ = z + ssgi_thickness();\n"
     "#elif SSGI_THICKNESS == SSGI_THICKNESS_WIDTH\n"
@@ -2450,7 +2452,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sh_quarter", "SSGI_BANDS > 2", __LINE__ + 1,
-    "// Turns those bands about x by a quarter, forth (way 1) or back (-1).\n"
+    "// Turns the same bands about x by a quarter of a turn, forward (way 1) or back (-1).\n"
     "void ssgi_sh_quarter(inout ssgi_sh harmonics, float way) {\n"
     "    float flat_ = harmonics.word2.x;\n"
     "    harmonics.word2.x = 0.5 * flat_ - 0.86602540 * harmonics.word1.z;\n"
@@ -2474,8 +2476,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    harmonics.word0.yzw = (rotation * harmonics.word0.wyz).yzx;\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    // rotation = Rz(phi) Ry(theta) Rz(psi), and Ry is Rz between two quarters about x. Near a pole only phi +\n"
-    "    // psi or phi - psi is defined (gimbal lock), so psi comes from that sum.\n"
+    "    // rotation = Rz(phi) Ry(theta) Rz(psi), and Ry is an Rz between two quarter turns about x. Near a pole\n"
+    "    // only phi + psi or phi - psi is defined (gimbal lock), so psi comes from that sum.\n"
     "    float squared = dot(rotation[2].xy, rotation[2].xy);\n"
     "    vec2 phi = squared > 1e-30 ? rotation[2].xy * inversesqrt(squared) : vec2(1.0, 0.0);\n"
     "    vec2 psi = rotation[2].z < 0.0 ? ssgi_sh_complex(vec2(rotation[1].y - rotation[0].x,\n"
@@ -2497,10 +2499,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return packHalf2x16(values);\n"
     "#endif\n"
     "#if SSGI_DIALECT == SSGI_DIALECT_330 || SSGI_DIALECT == SSGI_DIALECT_410\n"
-    "    uvec2 bits = floatBitsToUint(values); // these languages lack it; this rounds to nearest even\n"
+    "    uvec2 bits = floatBitsToUint(values); // these languages lack packHalf2x16; this rounds to nearest even\n"
     "    uvec2 magnitudes = bits & 0x7fffffffu;\n"
     "    uvec2 halves = (magnitudes - 0x38000000u + 0xfffu + ((magnitudes >> 13u) & 1u)) >> 13u;\n"
-    "    // This sum rounds below 2^-14.\n"
+    "    // Values below 2^-14 are rounded by this sum.\n"
     "    uvec2 small = floatBitsToUint(uintBitsToFloat(magnitudes) + 0.5) - 0x3f000000u;\n"
     "    halves = uvec2(magnitudes.x < 0x38800000u ? small.x : halves.x,\n"
     "        magnitudes.y < 0x38800000u ? small.y : halves.y) | ((bits >> 16u) & 0x8000u);\n"
@@ -2692,10 +2694,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_lit_at", NULL, __LINE__ + 1,
-    "vec3 ssgi_lit_at; // the place that your harmonics are asked about\n" },
+    "vec3 ssgi_lit_at; // the place for which your harmonics are called\n" },
 
 { "ssgi_incoming", "SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM", __LINE__ + 1,
-    "// Irradiance by your coefficients i to i + count - 1: each channel's transfer has a lane for each of them.\n"
+    "// Irradiance by your coefficients i to i + count - 1; lane k of red, green and blue is the transfer of i + k.\n"
     "vec3 ssgi_incoming(int i, int count, vec4 red, vec4 green, vec4 blue) {\n"
     "    vec3 irradiance = vec3(0.0);\n"
     "    vec3 place = ssgi_to_yours(ssgi_lit_at);\n"
@@ -2744,7 +2746,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "struct ssgi_light { // how a row of t_ssgi_lights shines on a point\n"
     "    vec4 position, colour, facing;\n"
     "    vec3 way; // unit vector to the light\n"
-    "    float distance, falloff; // falloff is all that dims it but the receiver's cosine\n"
+    "    float distance, falloff; // falloff: all that dims the light except the receiver's cosine\n"
     "};\n" },
 
 { "ssgi_light_at", NULL, __LINE__ + 1,
@@ -2768,7 +2770,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float reach = light.position.w > SSGI_SUN ? min(u_ssgi_radius, light.distance) : u_ssgi_radius;\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_FILL\n"
     "    if (contact >= 0.0) reach = min(reach, contact);\n"
-    "    // The map decides on distances below a pixel.\n"
+    "    // Below the width of a pixel the map alone decides.\n"
     "    if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0;\n"
     "#endif\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
@@ -2777,7 +2779,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 start = ssgi_lift(P, normal);\n"
     "    vec3 along = light.way * reach;\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_FILL\n"
-    "    // Short segments stay near the surfaces of a crease, whose depth whole pixels round.\n"
+    "    // A short segment stays near the surfaces of a crease, whose depths are known at whole pixels only.\n"
     "    if (contact >= 0.0) start = ssgi_lift(start, normal);\n"
     "#endif\n"
     "    random = fract(random + 0.61803399 * float(i)); // the golden ratio gives every light another offset\n"
@@ -2788,10 +2790,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_shadow", NULL, __LINE__ + 1,
-    "// Returns 1 where the map of light i shadows P. The map's texels are taken to lie below the surface by the bias\n"
-    "// that keeps a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map.\n"
-    "// contact returns how far along the ray to the light the map may see the plane itself, or an occluder\n"
-    "// that the bias loses; 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected].\n"
+    "// Returns 1 if the map of light i shadows P. A texel of the map counts as below its surface by a bias, which\n"
+    "// keeps a plane from shadowing itself: half the texel's diagonal times the plane's slope against the map.\n"
+    "// contact returns how far along the ray to the light the map may see the plane itself, or an occluder that\n"
+    "// the bias loses; 0 if it sees neither, -1 if no map sees P [SSDO09 section 5, corrected].\n"
     "float ssgi_shadow(int i, vec3 P, vec3 normal, ssgi_light light, float cosine, out float contact) {\n"
     "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0);\n"
     "    vec4 tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
@@ -2911,7 +2913,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sum += texelFetch(t_ssgi_direct, pixel + u_ssgi_origin, 0).xyz;\n"
     "#endif\n"
     "#if SSGI_CLAMP\n"
-    "    sum = clamp(sum, 0.0, 65408.0); // Infinity times 0 is no number.\n"
+    "    sum = clamp(sum, 0.0, 65408.0); // Infinity times 0 would be NaN.\n"
     "    sum *= min(u_ssgi_sent / max(dot(sum, vec3(0.2126, 0.7152, 0.0722)), 1e-6), 1.0); // The hue stays.\n"
     "#endif\n"
     "    vec3 normal = ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z));\n"
@@ -2932,8 +2934,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_light_harmonics", NULL, __LINE__ + 1,
     "// Irradiance by a light whose cap is projected onto harmonics and windowed. It is normalised, so that an\n"
-    "// unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One band knows\n"
-    "// no normals: every surface receives the mean over all of them.\n"
+    "// unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One band has\n"
+    "// no direction: every surface receives the mean over all normals.\n"
     "vec3 ssgi_light_harmonics(ssgi_light light, ssgi_coefficients coefficients, vec3 normal) {\n"
     "    float radius = light.colour.w / light.distance; // This is the sine of the cap's half-angle.\n"
     "    float cosine = light.position.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
@@ -3013,7 +3015,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_encode_for_filter", NULL, __LINE__ + 1,
-    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 normal) { // writes light as desc.light.restore says\n"
+    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 normal) { // returns light as desc.light.restore says\n"
     "#if !SSGI_RESTORE\n"
     "    return max(light, 0.0);\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
