@@ -108,12 +108,12 @@ enum {
     SSGI_CLIP_ZERO,   /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
 };
 
-/* The camera parameters that the passes use. ssgi_view_from_projection makes them; they are read-only for you. */
+/* The camera parameters that the passes use, made by ssgi_view_from_projection; read-only for you. [k] is element k. */
 typedef struct ssgi_view {
     float unproject[4]; /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
     float project[4];   /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
     float depth[2];     /* 1 / view depth = [0] + [1] * window depth;      orthographic: view depth = ... */
-    float clear;        /* the window depth of the background: 1, or 0 when the projection is reversed */
+    float clear;        /* the window depth of the background: 1, or 0 if the projection is reversed */
     int orthographic;   /* 0 or 1 */
     int width, height;  /* pixels of the frame */
     float oblique[2];   /* depth[] decodes window depth + dot(pixel, oblique); 0 unless the near plane is oblique */
@@ -176,8 +176,8 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float displacement[3], const char **why);
 
 /* Writes default displacement i modulo 4: left, right, above, behind. If the main camera is two radii from the centre,
-   the extra cameras are as far from the centre. They are turned about it by 60 degrees to the left or right and 20 up
-   (0, 1), by 75 up (2), and to the far side and 50 up (3). */
+   the extra cameras are, too. They are turned about it by 60 degrees to the left or right and 20 up (0, 1), by 75 up
+   (2), and to the far side and 50 up (3). */
 SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
 
 /* ==== >>bias =================================================================================================== */
@@ -313,7 +313,7 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
          for (int i = l * l; i < (l + 1) * (l + 1); ++i) irradiance += ssgi_sh_cosine(l) * basis[i] * light[3 * i];
       printf("irradiance %g\n", irradiance);                           // pi; 3.1408, since texels have a size   */
 
-/* Real spherical harmonics are orthonormal, with function m = -l..l of band l at l*l + l + m. They have no
+/* Real, orthonormal spherical harmonics: function m = -l..l of band l has the index l*l + l + m. They have no
    Condon-Shortley sign: band 1 is +y, +z, +x times 0.4886. GLSL twins of basis, zonal and rotate: ssgi_gl_sh in
    ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
@@ -340,7 +340,7 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
    in 4 bands that gives a facing surface irradiance 1: the radiance at the peak of the series; the least irradiance
    over all normals; how far below 0 occlusion can take the irradiance. */
 enum {
-    SSGI_SH_WINDOW_NONE = 0, /* 1.20, -0.037, 0.20    1: sharpest, rings most */
+    SSGI_SH_WINDOW_NONE = 0, /* 1.20, -0.037, 0.20    the factors are 1: sharpest, rings most */
     SSGI_SH_WINDOW_HANN,     /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
     SSGI_SH_WINDOW_POSITIVE, /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
 };
@@ -357,7 +357,7 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
 
 /* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
      coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
-     bands, channels    [limit: bands as ssgi_sh_basis; channels any, below 1 nothing]; 4 bands take about 20 us */
+     bands, channels    [limit: bands as ssgi_sh_basis; channels below 1: it does nothing]; 4 bands take about 20 us */
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
 
@@ -447,7 +447,7 @@ typedef struct ssgi_vpl {
 
 /* Makes virtual point lights [KEL97] of a reflective shadow map. Pixels of the map are chosen in proportion to the
    luminance of their flux, stratified along the map. Each light keeps its pixel's colour and sends an equal share of
-   luminance: the luminances of the lights' fluxes, pi * intensity, sum to the map's. A map without flux is
+   luminance: the luminances of the lights' fluxes, pi * intensity, sum to the map's. A map without flux gives
    SSGI_BAD_ARGUMENT.
      count                    [limit: 1..4096] lights, exactly; a pixel may be chosen more than once
      position, normal, flux   x y z or r g b of pixel k at [3*k]. flux is the power that the pixel's surface reflects;
@@ -505,8 +505,8 @@ SSGI_DEF size_t ssgi_trace_size(size_t triangles);
    memory        size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
                  the memory: keep it where it is. position and index are not needed afterwards.
    Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller
-   than about 1e-18 may be missed. Indices are not checked. Building takes O(n log n) time but for contrived input. It
-   allocates nothing and recurses at most 62 deep, whatever the input. */
+   than about 1e-18 may be missed. Indices are not checked. Building takes O(n log n) time, except for contrived input.
+   It allocates nothing and recurses at most 62 deep, whatever the input. */
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
 
@@ -522,7 +522,7 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* Traces the ambient visibility of points by cosine-weighted rays: for instance the self-occlusion of a rigid object,
    as an attribute of its vertices [AOF05 section 1].
-     out                count of them, in [0,1]
+     out                `count` values, in [0,1]
      position, normal   x y z of point k at [3*k]; normals of any length
      radius             [units: the mesh's] [limit: above 0; with hard also 0: unlimited] hits beyond the radius do not
                         count
@@ -548,9 +548,9 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
       if (ssgi_tess_points(uvw, level, &why) != SSGI_OK) puts(why);
       printf("level %d: %d discs of radius %g\n", level, points, ssgi_tess_radius(area, points));   */
 
-/* Returns the number of points that tessellation hardware makes of a triangle whose levels are all `level`, with equal
-   spacing, in point mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd one:
-   3, 7, 12, 19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
+/* Returns the number of points that tessellation hardware generates in a triangle whose levels are all `level`, with
+   equal spacing, in point mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd
+   one: 3, 7, 12, 19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
 SSGI_DEF int ssgi_tess_count(int level);
 
 /* Writes the points of a level as gl_TessCoord has them, but for the rounding of GPUs (2e-5). Their order is the
@@ -562,8 +562,8 @@ SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why);
 /* Returns the least level, 1..64, that has a point for each of K discs, where K = area / (pi radius^2) discs of this
    radius together have the triangle's area: ceil(sqrt((4 K - 1) / 3) - 1) [DSS14 section 3.1]. It is 1 for 3 discs or
    fewer, where the formula has no level, and 64 for more than 3169 discs, which need the triangle split
-   (ssgi_surfel_desc.splits). The formula is that of even levels. An odd level has a quarter of a point less than it
-   says: level 1 is taken for up to 3.25 discs, and 12.1 discs get 12 points.
+   (ssgi_surfel_desc.splits). The formula is that of even levels. An odd level has a quarter of a point less than the
+   formula says: level 1 is taken for up to 3.25 discs, and 12.1 discs get 12 points.
      area     [units: view^2] 0 or below: level 1
      radius   [units: view] 0 or below: level 64
    It is 1 if either is not a finite float. GLSL twin: ssgi_tess_level, which takes the number of discs. */
@@ -576,9 +576,9 @@ SSGI_DEF double ssgi_tess_radius(double area, double count);
 
 /* ==== >>surfels ================================================================================================ */
 
-/* In deep screen space [DSS14] triangles become discs of about equal size on the screen, also where they are hidden, at
-   grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass dss
-   takes either. */
+/* In deep screen space [DSS14] triangles become discs of about equal size on the screen: also triangles that are
+   hidden, at grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU;
+   pass dss takes those of either. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte, as transform feedback captures them. */
 typedef struct ssgi_surfel {
@@ -607,7 +607,7 @@ typedef struct ssgi_surfel_desc {
        too coarse for the triangle */
     int splits;
     /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the frustum, since no
-       visible pixel is close there; 1e-6: none, as published */
+       visible pixel is close there; 1e-6 adds practically nothing, as published */
     float offscreen_growth;
     /* [limit: 0..1] 0: a triangle smaller than its three surfels keeps each with probability area / (3 pi r^2), at an
        unchanged radius, so that cost does not grow with mesh detail. 1: it keeps all, as published */
@@ -653,10 +653,10 @@ SSGI_DEF double ssgi_surfel_form_factor(double radius, double distance);
      epsilon     the contribution at which level 0 of the surfel ends: ssgi_gl_frame.epsilon */
 SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
 
-/* Writes the distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]: level 0 those up to
-   reach, level l > 0 those from reach 2^(l-1) to reach 2^l. Each distance up to the last level's end is in one shell (d
-   = 0 in that of level 0). Both ends are `most` if the level lies beyond `most`, and 0 if a length is not above 0 or
-   not a finite float.
+/* Writes the range of distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]. Level 0 is
+   for distances up to reach, level l > 0 for those from reach * 2^(l-1) to reach * 2^l. Each distance up to the last
+   level's end is in one shell (d = 0 in that of level 0). Both ends are `most` if the level lies beyond `most`, and 0
+   if a length is not above 0 or not a finite float.
      reach    [units: view] ssgi_surfel_reach
      level    below 0 as 0, above 64 as 64
      most     [units: view] ssgi_splat.max_distance; SSGI_FAR: unlimited */
@@ -680,8 +680,8 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 /* Makes surfels of triangles; their areas sum to the triangle's, on average where small ones are thinned (keep_small
    0). Writes at most `capacity` surfels, and to *count their number (to query it, give out NULL and capacity 0).
    Triangles without area, with corners that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give
-   none; normals, and parts of a colour, that are not finite count as 0. A surfel's seed depends only on the vertex
-   indices of its triangle and on its place in the triangle. */
+   no surfels; normals, and components of a colour, that are not finite count as 0. A surfel's seed depends only on the
+   vertex indices of its triangle and on its place in the triangle. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -693,7 +693,7 @@ typedef struct ssgi_splat {
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
     int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 4] every level doubles the reach, at about equal cost */
     int part;   /* [limit: 0, 1, 2 or 4] [default: 1] of each axis 1 pixel in `part` is drawn: desc.gather.resolution */
-    int two_sided; /* 1: surfels affect what is behind them, too: desc.light.two_sided, effects SCATTER and CUSTOM */
+    int two_sided; /* 1: surfels affect pixels behind them, too: desc.light.two_sided, effects SCATTER and CUSTOM */
 } ssgi_splat;
 
 enum { SSGI_SPLAT_LEVELS = 7 };
@@ -898,7 +898,7 @@ typedef struct ssgi_field_limits {
     /* Distances from the centre between which occlusion falls to 0 [units: the mesh's]
        [limit: 0 <= ramp < reach <= field->reach] */
     float ramp, reach;
-    /* In the hull, at a share s of the way from the centre, occlusion is mix(inside, occlusion at the hull, s^power)
+    /* At a share s of the way from the centre to the hull, occlusion is mix(inside, occlusion at the hull, s^power)
        [limit: 0..1 and > 0] */
     float inside, power;
 } ssgi_field_limits;
@@ -911,7 +911,7 @@ SSGI_DEF size_t ssgi_field_size(int resolution);
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
 /* Bakes a field: samples directions at twice the resolution, by rays or from desc.sample, fits each texel, and reduces
-   by a Gaussian [AOF05 section 4.1].
+   the map to the field's resolution by a Gaussian [AOF05 section 4.1].
      texels     ssgi_field_size(desc's resolution) bytes, which belong to the field from then on
      work       work_size >= ssgi_field_bake_size(desc, triangles) bytes of any alignment
      position, stride_bytes, index, triangles   as in ssgi_trace_build, which names the triangles that are left out
@@ -956,8 +956,8 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 /* ==== >>plan =================================================================================================== */
 
 /* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
-   The predictions were fitted to ray-traced truth of 34 views at 1280x720 and tested on other scenes: README. A survey
-   improves predictions; a calibration improves them most.  */
+   The predictions were fitted to ray-traced ground truth of 34 views at 1280x720 and tested on other scenes: README. A
+   survey improves predictions; a calibration improves them most.  */
 
 /* >>plan in use (compiled and run by tests/test_build.c)
 
@@ -982,7 +982,7 @@ enum {
     SSGI_PLAN_WANTED_OBJECTS,        /* ambient visibility between rigid objects, at any distance. Errors: its RMSE */
 };
 
-/* The values of plan.method. When light is wanted, HSAO dims the irradiance of harmonics. */
+/* The values of plan.method. If light is wanted, the visibility of HSAO dims the irradiance of harmonics. */
 enum {
     SSGI_PLAN_METHOD_NOTHING = 0,
     SSGI_PLAN_METHOD_HSAO,
@@ -1026,12 +1026,12 @@ typedef struct ssgi_survey {
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
-/* Errors against ray-traced truth, in the measure of plan_scene.wanted. */
+/* Errors against ray-traced ground truth, in the measure of plan_scene.wanted. */
 typedef struct ssgi_calibration {
     int known;        /* 0: no calibration */
     float unoccluded; /* error of no occlusion at all */
     float hsao;       /* error of slices, preset BALANCED, thickness WIDTH; for light: of visibility times the light */
-    float slabs;      /* error of such slices with thickness SLABS; 0: not known */
+    float slabs;      /* the same error with thickness SLABS; 0: not known */
 } ssgi_calibration;
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
@@ -1085,9 +1085,9 @@ typedef struct ssgi_plan_scene {
 typedef struct ssgi_plan {
     int method; /* SSGI_PLAN_METHOD_NOTHING .. */
 
-    /* settings, 0 where the method has none. They are as in ssgi_gl_desc, but thickness is SSGI_PLAN_THICKNESS_WIDTH
-       .., and history is as in ssgi_gl_chain, field_resolution is the resolution of ssgi_field_desc, and
-       surfel_size the size of ssgi_surfel_desc */
+    /* settings, 0 if the method has none. They are those of ssgi_gl_desc, except: thickness is
+       SSGI_PLAN_THICKNESS_WIDTH ..; history is that of ssgi_gl_chain; field_resolution is the resolution of
+       ssgi_field_desc, surfel_size the size of ssgi_surfel_desc */
     int thickness, resolution, slices, samples, bands, history, levels, filter_radius, field_resolution;
     float surfel_size;
 
@@ -1604,7 +1604,7 @@ SSGI__FN void ssgi__peaks_sift(const ssgi__peaks *m, size_t k, size_t n)
     m->corner[k] = moved;
 }
 
-/* Sorts n corners, then gives corners at one place one vertex. Returns the number of vertices. */
+/* Sorts n corners, then gives all corners at one place the same vertex. Returns the number of vertices. */
 SSGI__FN size_t ssgi__peaks_weld(const ssgi__peaks *m, size_t n)
 {
     size_t vertices = 0;
@@ -1849,7 +1849,7 @@ SSGI__FN int ssgi__block_distance(const ssgi__block *b, int x, int y)
         int dx = (x - k * b->shift) % b->w, dy = y + k * b->h;
         if (dx < 0) dx += b->w;
         if (dx > b->w - dx) dx = b->w - dx;
-        if (!dx && !dy) dx = b->w; /* the texel itself: its next copy */
+        if (!dx && !dy) dx = b->w; /* for the texel itself its nearest copy counts */
         least = dx * dx + dy * dy < least ? dx * dx + dy * dy : least;
     }
     return least;
@@ -1911,7 +1911,7 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
     SSGI__RANGE(directions, 1, 1024);
     copies = texels / sets;
     b = ssgi__block_of(size, sets);
-    /* the step is coprime to the count and near the golden ratio of it, so that numbers in a row are far apart */
+    /* the step is coprime to the count and near its golden section, so that consecutive numbers are far apart */
     for (step = (int)(0.61803399 * texels + 0.5); ssgi__gcd(step, texels) != 1; ++step) {}
     ssgi__block_order(out, size, &b);
     for (int i = texels - 1; i >= 0; --i) { /* the block at 0, 0 comes last, as the others read it */
@@ -2551,12 +2551,12 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 #define SSGI__TRACE_STACK ((SSGI__TRACE_WIDE - 1) * (SSGI__TRACE_DEEP + 30) + SSGI__TRACE_WIDE)
 
 typedef struct ssgi__trace_node {
-    float bound[2][3][SSGI__TRACE_WIDE]; /* lower and upper; axis; child */
-    uint32_t child[SSGI__TRACE_WIDE];    /* node, or block + LEAF */
+    float bound[2][3][SSGI__TRACE_WIDE]; /* [0 lower, 1 upper][axis][child] */
+    uint32_t child[SSGI__TRACE_WIDE];    /* number of a node, or number of a block + SSGI__TRACE_LEAF */
 } ssgi__trace_node;
 
 typedef struct ssgi__trace_block {
-    float corner[3][3][4]; /* corner; axis; triangle */
+    float corner[3][3][4]; /* [corner][axis][triangle] */
     uint32_t triangle[4];
 } ssgi__trace_block;
 
@@ -2824,7 +2824,7 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
 typedef struct ssgi__trace_ray {
     float origin[3], direction[3];
     float inverse[3]; /* 1 / direction, finite */
-    int sign[3];      /* 1 where the direction is negative */
+    int sign[3];      /* 1 if the direction is negative */
     /* the same ray with x, y, z permuted so that z is the longest axis of its direction, and sheared along z */
     int axis[3];
     float from[3], slope[2];
@@ -3271,7 +3271,7 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
 }
 
 /* Returns the smallest surfel radius in a patch, which is that at the patch's depth nearest to the near plane. A patch
-   that reaches in front of the eye, but not as far as the near plane, gets the radius at the near plane. */
+   that ends between the eye and the near plane gets the radius at the near plane. */
 SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_maker *m)
 {
     double low = 1e300, high = -1e300;
@@ -3871,9 +3871,9 @@ typedef struct ssgi__field_data {
 typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
 
 /* Moves the three unknowns u by Levenberg and Marquardt's descent until the error is at most `stop` or falls no more,
-   and returns the error. f gives the error and, where a is not NULL, adds the normal equations of the error: J J^T to
-   a, -J residual to b. A step whose error is not below the last one, or is NaN, was too long: it is tried again with
-   more damping. */
+   and returns the error. f gives the error and, if a is not NULL, adds the normal equations of the error: J J^T to a,
+   -J residual to b. A step whose error is not below the last one, or is NaN, was too long: it is tried again with more
+   damping. */
 SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
 {
     double damping = 1e-3, error = f(data, u, NULL, NULL);
@@ -3931,7 +3931,7 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
     return sum;
 }
 
-/* Fits 1/q to values in 0..most at three or more radii, ascending. q is a quadratic in r as published [AOF05 eq. 6, 9],
+/* Fits 1/q to values in 0..most at three or more ascending radii. q is a quadratic in r as published [AOF05 eq. 6, 9],
    but held above 1/most from the first radius, t = 0, to the last, t = 1: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2.
    Returns the sum of squared errors. */
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
@@ -3979,9 +3979,10 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
     return sum;
 }
 
-/* Writes the characteristic centre c [AOF05 eq. 7, 10]: the point that the directions seen from radius * w point to, or
-   the origin where they do not determine a point. Returns the sum of (1 - cosine)^2, never above that of the origin.
-   Since this error is flat near its least, descent on the chords comes first, and descent on the error then polishes.
+/* Writes the characteristic centre c [AOF05 eq. 7, 10]: the point to which the directions that are seen from radius * w
+   lead, or the origin if they do not determine a point. Returns the sum of (1 - cosine)^2, never above that of the
+   origin. Since this error is flat near its least, descent on the chords comes first, and descent on the error then
+   polishes.
      directions   unit, 3 each; zero vectors do not count
      flat         the origin is the centre if its error is at most this, which is too small to determine a point */
 SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
@@ -3991,7 +3992,7 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
     memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
-    if (!(best > flat)) return best; /* all point at the centre already, so c is undetermined */
+    if (!(best > flat)) return best; /* all directions lead to the origin already, so c is undetermined */
     for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
@@ -4122,9 +4123,9 @@ SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
 
-/* Measures the centre, the radius, corners of the hull, and how far it may lie beyond them. The centre is the mean of
-   the farthest corners over all directions: the hull's Steiner point, which is inside. Returns 0 if the occluder has no
-   extent. */
+/* Measures the centre, the radius, corners of the hull, and how far the hull may reach beyond them. The centre is the
+   mean of the farthest corners over all directions: the hull's Steiner point, which is inside. Returns 0 if the
+   occluder has no extent. */
 SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -4163,8 +4164,8 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 }
 
 /* Finds a cone from a point outside of the hull that holds all of the occluder. Writes its axis and returns the cosine
-   of its half-angle. The cone is about the mean direction to some corners and wider by the distance that the hull may
-   lie beyond them; or it is the half space below the hull's plane. */
+   of its half-angle. The cone is about the mean direction to some corners, and wider by the distance that the hull may
+   reach beyond them; or it is the half space below the hull's plane. */
 SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
@@ -4198,9 +4199,10 @@ typedef struct ssgi__field_bake {
     const ssgi_field_desc *desc;
     ssgi__field_occluder occluder;
     ssgi_field *field;
-    int size;             /* of the fine map's faces: twice the field's resolution, or the resolution itself */
+    int size;             /* texels along a face of the fine map: twice the field's resolution, or with unfiltered the
+                             same */
     float *fine, *coarse; /* maps of eight components a texel, six faces; the coarse one has the field's resolution */
-    float *error;         /* errors of validation receivers; reuses fine */
+    float *error;         /* errors of validation receivers, in the memory of fine */
     int first;            /* texel of job 0 */
 } ssgi__field_bake;
 
@@ -4220,8 +4222,8 @@ SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-/* Samples the occluder from the point at r along w from the centre, by rays in the cone that encloses it, and writes
-   the point. `sum` is `out` of ssgi__field_sample. */
+/* Samples the occluder from the point at distance r along w from the centre, by rays in the cone that encloses the
+   occluder, and writes the point. `sum` is `out` of ssgi__field_sample. */
 SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
                                const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
                                int rays, uint32_t seed)
@@ -4363,8 +4365,8 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
             }
 }
 
-/* Returns A_0, the mean occlusion of points in the hull, weighted toward the centre. Where more than 95 % of the rays
-   hit, the mesh encloses the point, which does not count. If no point counts, it is 1. */
+/* Returns A_0, the mean occlusion of points in the hull, weighted toward the centre. If more than 95 % of its rays hit,
+   the mesh encloses a point, and it does not count. If no point counts, A_0 is 1. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
@@ -4461,7 +4463,7 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     return SSGI_OK;
 }
 
-/* Returns the number of floats that both maps of a bake take; the errors reuse the fine map. */
+/* Returns the number of floats that both maps of a bake take; the errors use the fine map's memory. */
 SSGI__FN size_t ssgi__field_floats(int resolution)
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
@@ -4797,8 +4799,8 @@ enum {
     SSGI__PLAN_UNOCCLUDED,     /* E */
     SSGI__PLAN_HSAO_ERROR,     /* squared error of hsao */
     SSGI__PLAN_SLABS_ERROR,    /* squared error of hsao with slabs */
-    SSGI__PLAN_COARSE,         /* E times a surfel's size over the radius */
-    SSGI__PLAN_UNEVEN,         /* E times the light's energy beyond band 0, over that of band 0 */
+    SSGI__PLAN_COARSE,         /* E * size of a surfel / screen radius */
+    SSGI__PLAN_UNEVEN,         /* E * the light's energy above band 0 / its energy in band 0 */
     SSGI__PLAN_CONSTANT_ERROR, /* 1e-4 */
     SSGI__PLAN_TERMS           /* number of terms */
 };
@@ -4913,10 +4915,10 @@ static const float ssgi__plan_survey[2][3][4] = {
     { { 1.25f, 0, 0, 0.0169f }, { 0.0504f, 2.19f, 0, 1.04f }, { 0.0454f, 2.45f, 0, 0.0613f } }
 };
 
-/* The costs of splats and fields beside a choice's own, in software and on a GPU. */
+/* The costs of splats and fields in addition to a choice's own, in software and on a GPU. */
 static const struct {
-    float texel, surfel; /* per texel of splats and per surfel, over the frame's pixels */
-    float occluder;      /* per occluder that reaches all pixels */
+    float texel, surfel; /* of as many texels of splats, or surfels, as the frame has pixels */
+    float occluder;      /* of an occluder that reaches all pixels */
 } ssgi__plan_costs[2] = { { 0.173f, 21.3f, 0.75f }, { 0.105f, 7.6f, 0.3f } };
 
 SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)
@@ -5307,68 +5309,68 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    desc. -> desc.text.  dialect lines version fetch
 
    By hand: desc.hard = 1 -> desc.gather.falloff = SSGI_GL_FALLOFF_NONE, which points refuse. desc.half has words: NONE,
-   FIRST and IN_TURN for 0, 1 and 2. Out parameters come first, now of ssgi_view_position, _view_project,
-   _extra_displacement, _r2, _octahedral_encode, _octahedral_decode, _trace_closest and _field_cap, too. New:
+   FIRST and IN_TURN for 0, 1 and 2. Out parameters come first, now also in ssgi_view_position, _view_project,
+   _extra_displacement, _r2, _octahedral_encode, _octahedral_decode, _trace_closest and _field_cap. New:
    ssgi_gl_choice.field, "gather.steps", as sentences name it.
 
-   Pictures of slices: thickness WIDTH is half as much where a probe found the end of a surface; surfaces that steps
-   miss and those beyond the picture are expected to occlude a little; the filter lets less across edges of a hundredth
-   of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there. View depths of 1 /
-   SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing in front of the
-   camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is nothing. Without
-   desc.surfel.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step sent its
-   light. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.light.lights): a bounce of
-   them was four times too bright. desc.light.residual holds for desc.light.lights by bent normals and cones, too. The
-   plan's costs of a GPU are modelled from its compiler's instructions.
+   Pictures by slices change: thickness WIDTH is half as much if a probe found the end of the surface; surfaces between
+   samples and beyond the picture are expected to occlude a little; the filter averages less across edges as high as a
+   hundredth of the radius. NVIDIA's compiler for GL lost a sign in slices, which came out too bright there. View depths
+   of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing in front of
+   the camera, ssgi_gl_plan an unknown thickness. ssgi_gl_sent_set takes a radiance of 1e-30 or less for 0. Without
+   desc.surfel.span SPLAT with EFFECT_LIGHT lights its surfels by the environment, as hidden_sky does: no other step
+   sent that light. With one band lights give every normal a quarter of their irradiance, not all of it (ssgi_sh_light,
+   desc.light.lights): their bounce was four times too bright. desc.light.residual works for desc.light.lights with bent
+   normals and cones, too. The plan's costs of a GPU are modelled from its compiler's instructions.
 
-   Presets of slices are cheaper: hsao FAST 1x10 of thickness CONSTANT, BALANCED 2x8, BEST 2x7; ssdo and s3ho 1x5, 2x9,
-   full 2x9. FAST sets thickness CONSTANT where it is DEFAULT, the others DEFAULT where it is CONSTANT. Plans may choose
+   Presets of slices are cheaper: hsao FAST 1x10 with thickness CONSTANT, BALANCED 2x8, BEST 2x7; ssdo and s3ho 1x5,
+   2x9, full 2x9. FAST sets thickness CONSTANT if it is DEFAULT, the others DEFAULT if it is CONSTANT. Plans may choose
    thickness CONSTANT, no longer SOLID; plan_scene.device RX_6800 has costs in milliseconds; plan_scene.albedo, which no
    prediction read, is gone. New: desc.light.bounced and ssgi_gl_chain.bounced, for further bounces.
 
-   History goes on where the size changes: ssgi_gl_frame_history takes a view of any size, frame.last_size and
-   .last_footprint tell texts. ssgi_gl_frame_time counts it in seconds (frame.pace); frame.jitter keeps the
-   average sharp where the projection trembles for TAA. ssgi_gl_frame has 32 bytes more.
+   History goes on if the size changes: ssgi_gl_frame_history takes a view of any size, and frame.last_size and
+   .last_footprint tell the shaders. ssgi_gl_frame_time counts history in seconds (frame.pace); frame.jitter keeps the
+   average sharp if the projection is jittered for TAA. ssgi_gl_frame has 32 bytes more.
 
-   New: ssgi_gl_read, functions by which shaders that light a surface read a result, in place of the filter's pass;
+   New: ssgi_gl_read, functions by which shaders that light a surface read a result, instead of the filter's pass;
    desc.gather.half QUARTER (the last 4 bits of ssgi_gl_phase are the frame's number now); frame.strength;
    ssgi_gl_chain.rgba8; room >>reflection (ssgi_interreflected, ssgi_specular_visibility), and ssgi_gl_reflection.
 
-   Surfels heed desc.gather.half, by which they cost a quarter, and a chain with blur = 1 filters them; they have
-   presets. Their slices near by heed desc.gather too, 2x8 and thickness WIDTH where it names nothing else. Defaults:
-   size 0.03, not 0.015; epsilon 0.3, not 0.1 (SCATTER wants 0.02); 4 levels, not 5 (SCATTER wants 7). Texts work out
-   the size of a level: ssgi_gl_surfels_set has no argument `levels`, and ssgi_gl_frame, which is 16 bytes shorter, no
-   `level`. New: ssgi_splat.part, .two_sided; ssgi_splat_levels. plan_scene.surfels and .splats count surfels of size
-   0.03, and plans of surfels are the presets. A field's rays are fewer the farther out they begin,
-   and 96 at the hull, not 128.
+   DSS follows desc.gather.half, which saves three quarters of its cost, and a chain with blur = 1 filters its result;
+   it has presets. Its slices for near surfaces follow desc.gather, too: by default 2x8 and thickness WIDTH. Defaults:
+   size 0.03, not 0.015; epsilon 0.3, not 0.1 (SCATTER wants 0.02); 4 levels, not 5 (SCATTER wants 7). Shaders compute
+   the size of a level: ssgi_gl_surfels_set has no argument `levels`, and ssgi_gl_frame, which is 16 bytes shorter, has
+   no `level`. New: ssgi_splat.part, .two_sided; ssgi_splat_levels. plan_scene.surfels and .splats count surfels of size
+   0.03, and plans of surfels are the presets. Fields are baked with fewer rays for points farther out, and with 96
+   instead of 128 at the hull.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->
-   .thickness; functions in the GLSL, which has words in whole.
-   New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps takes for slices by itself (DEFAULT, the new 0). With
-   BACK and SLABS slices need that pass, too: what has no back face is as thick as wide, and sheets half as thick,
+   .thickness; functions in the GLSL, which has whole words.
+   New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps chooses for slices (DEFAULT, the new 0). With BACK and
+   SLABS slices need that pass, too: a surface without a back face is as thick as wide, and sheets half as thick,
    instead of frame.thickness.
-   SSGI_PLAN_CONSTANT -> SSGI_PLAN_WIDTH: plans are for what chains draw by default. Presets of slices: FAST 1x6,
-   BALANCED half 2x10. From half size the tap closest to the plane counts most. desc.shadow FILL lifts its segments
-   twice: it darkened creases. The march's horizon reads desc.layers and desc.views.
-   Pass history filters, too, and averages at full size: it takes blur's place, and chain.history needs blur. Its
+   SSGI_PLAN_CONSTANT -> SSGI_PLAN_WIDTH: plans are for the default of chains. Presets of slices: FAST 1x6, BALANCED
+   half 2x10. After a gather at half resolution the sample closest to the plane counts most. desc.shadow FILL lifts its
+   segments twice: it darkened creases. The march's horizon reads desc.layers and desc.views.
+   Pass history filters, too, and averages at full resolution: it replaces blur, and chain.history needs chain.blur. Its
    o_ssgi_ao has four channels; with desc.restore o_ssgi_history is kept instead of o_ssgi_light; o_ssgi_means has two.
    Passes changes and nearby stand before it, which ssgi_gl_steps adds; they draw at an eighth of the size (SIZE_TILES).
    desc.half 2: each pixel of 2x2 in turn, by the last bits of ssgi_gl_phase, which is another sequence.
-   ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
+   ssgi_gl_steps refuses a chain that it cannot draw, and names the field; setters refuse NaN and infinity.
    New, the papers' maths: room >>bias (ssgi_normal_offset, ssgi_shadow_patch, ssgi_shadow_bias, ssgi_radius_guess; 0.1
    had them with other arguments), room >>tessellate (ssgi_tess_count, _points, _level, _radius), room >>cap
    (ssgi_cap_occlusion in doubles, ssgi_cap_table, ssgi_cap_light); ssgi_directions, ssgi_noise_tile, ssgi_vpl_area,
    ssgi_trace_visibility; ssgi_surfel_radius, _form_factor, _reach, _shell; ssgi_field_desc.sample, .unfiltered.
-   New, what they publish, as choices: desc.terms and .spheres of the march, .uniform of points, .dimmed of s3ho,
+   New choices, as the papers publish them: desc.terms and .spheres of the march, .uniform of points, .dimmed of s3ho,
    .cap_table, surfels' .overhang (also of surfel_desc), .enlarge, .combine; .effect and .harmonics CUSTOM, functions in
    desc.fetch.
    New, for Vulkan and WebGPU: formats' names in ssgi_gl_format, bindings and kinds of views in ssgi_gl_input; in
    SSGI_GL_VULKAN directions, steps and samples are specialisation constants. ssgi_gl_bound.magnify: _step_check names
    textures of integers that GL's default filter makes incomplete.
-   History reads the last frame between four texels and is not set off by a camera that moves; means.w is 0. The unseen
-   side of a sender sends 0.35, not 0.25. The plan's table is fitted on scenes by seed.
+   History interpolates the last frame between four texels, and a camera that moves does not disturb it; means.w is 0.
+   The unseen side of a sender sends 0.35 of its radiance, not 0.25. The plan's table is fitted on scenes by seed.
 
    CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more
