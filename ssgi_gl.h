@@ -341,7 +341,7 @@ typedef enum ssgi_gl_fade {
 /* desc.light.environment: the source of the environment's light. */
 typedef enum ssgi_gl_environment {
     SSGI_GL_ENVIRONMENT_NONE = 0,
-    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: light of all directions at the cost of the visibility alone */
+    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: the light of all directions costs no more than the visibility */
     SSGI_GL_ENVIRONMENT_MAP, /* a texture in world space, read once a direction: ssgi_environment_map */
     SSGI_GL_ENVIRONMENT_FORCE = SSGI_FORCE
 } ssgi_gl_environment;
@@ -358,8 +358,8 @@ typedef enum ssgi_gl_bounce {
 typedef enum ssgi_gl_shadow {
     SSGI_GL_SHADOW_SEGMENT = 0, /* by points, in screen space, on the segment to the light, at most a radius long */
     SSGI_GL_SHADOW_MAP,         /* by your shadow maps, with a bias; lights without a map are unshadowed */
-    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over the length that the bias skips [SSDO09 5]; SEGMENT without a
-                                   map */
+    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over the length that the bias skips [SSDO09 5]; lights without a
+                                   map: SEGMENT */
     SSGI_GL_SHADOW_NONE,
     SSGI_GL_SHADOW_FORCE = SSGI_FORCE
 } ssgi_gl_shadow;
@@ -369,12 +369,12 @@ typedef enum ssgi_gl_radiance {
     SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times the light that ssdo, shade or lights wrote */
     SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
     SSGI_GL_RADIANCE_BOTH,      /* the sum of both */
-    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone, for s3ho, whose coefficients meet the light later */
+    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone, for s3ho: its coefficients are dotted with light later */
     SSGI_GL_RADIANCE_FORCE = SSGI_FORCE
 } ssgi_gl_radiance;
 
-/* desc.light.transfer: the light that the coefficients of s3ho hold. From 3 bands on three sets take 6 targets (GLES
-   has 4). */
+/* desc.light.transfer: the light that the coefficients of s3ho hold. With 3 bands or more three sets need 6 targets
+   (GLES has only 4). */
 typedef enum ssgi_gl_transfer {
     SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
     SSGI_GL_TRANSFER_BOTH,       /* a set a channel: DIRECT, and unoccluded light reflected by occluders [S3HO12 2.3] */
@@ -412,9 +412,9 @@ typedef enum ssgi_gl_objects {
 
 /* desc.surfel.effect: the effect of surfels on pixels. */
 typedef enum ssgi_gl_effect {
-    SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius, or with falloff
-                                     NONE by 1 */
-    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less the environment's light that surfels occlude */
+    SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility: surfels within frame.radius occlude with a weight of 1 -
+                                     distance/radius, or of 1 with falloff NONE */
+    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi minus the environment's light that surfels occlude */
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
     SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. It has
                                      no slices for nearby surfaces, so that the defaults are too coarse: it wants
@@ -466,7 +466,7 @@ typedef enum ssgi_gl_sends {
 typedef enum ssgi_gl_quantity {
     SSGI_GL_QUANTITY_VISIBILITY = 0, /* ambient visibility */
     SSGI_GL_QUANTITY_LIGHT,          /* light, three channels */
-    SSGI_GL_QUANTITY_COEFFICIENTS,   /* those of s3ho */
+    SSGI_GL_QUANTITY_COEFFICIENTS,   /* the coefficients of s3ho */
     SSGI_GL_QUANTITY_FORCE = SSGI_FORCE
 } ssgi_gl_quantity;
 
@@ -491,7 +491,7 @@ typedef enum ssgi_gl_restore {
 
 /* desc.filter.kind: how a neighbour is weighted. */
 typedef enum ssgi_gl_filter {
-    SSGI_GL_FILTER_BILATERAL = 0, /* a box over a tile, weighted by the neighbour's distance to the tangent plane */
+    SSGI_GL_FILTER_BILATERAL = 0, /* a box filter, weighted by the neighbour's distance to the tangent plane */
     SSGI_GL_FILTER_GAUSSIAN,      /* the paper's own, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
     SSGI_GL_FILTER_FORCE = SSGI_FORCE
 } ssgi_gl_filter;
@@ -594,7 +594,7 @@ typedef struct ssgi_gl_gather_desc {
 /* ---- desc.light: the light of ssdo, lights and emitters, and the coefficients of s3ho, shade and their blur */
 typedef struct ssgi_gl_light_desc {
     ssgi_gl_environment environment; /* ssdo, blur, history, surfels, dss */
-    ssgi_gl_harmonics harmonics;     /* ssdo with SH, s3ho shaded, shade and blur by HARMONICS */
+    ssgi_gl_harmonics harmonics;     /* ssdo with SH, s3ho shaded, shade and blur with SHADING_HARMONICS */
     ssgi_gl_bounce bounce;           /* ssdo   environment and bounce must not both be NONE. With both, two targets are
                                         written from one visibility. compose   any but NONE: adds t_ssgi_bounce */
     int two_sided;                   /* ssdo, s3ho   1: emitters shine from both sides; 0: from their visible side,
@@ -618,8 +618,8 @@ typedef struct ssgi_gl_light_desc {
     /* coefficients */
     int bands;                 /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2
                                   coefficients; bent normals need 2 bands */
-    int packed_coefficients;   /* 0: up to four targets of four floats each; 1: up to two of RGBA32UI a set, of eight
-                                  halves each */
+    int packed_coefficients;   /* 0: up to four targets, of four floats each; 1: up to two RGBA32UI targets a set, of
+                                  eight 16-bit floats each */
     ssgi_gl_transfer transfer; /* three sets must be packed. blur, history   REFLECTED: nothing is restored, since
                                   REFLECTED has no unoccluded light */
     int occluded_emitters;     /* s3ho with a transfer, of one layer   1: an emitter reflects the light that the last
@@ -685,7 +685,7 @@ typedef struct ssgi_gl_filter_desc {
     ssgi_gl_onto onto;   /* blur of ambient visibility, compose */
 
     /* of the steps */
-    ssgi_gl_quantity quantity; /* blur alone filters coefficients, as history averages the light of shade */
+    ssgi_gl_quantity quantity; /* COEFFICIENTS: blur alone, since history averages the light of shade */
 } ssgi_gl_filter_desc;
 
 /* ---- desc.shader: the language of the shader, and your own lines in it */
@@ -755,8 +755,8 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
    directions, samples, normal_rays and noise of desc->gather, kind and radius of desc->filter; range_check and fade of
    points; for ssdo with an environment light.restore RATIO, without which blur would smooth creases.
      slices        hsao: FAST half size 1x10, BALANCED half 2x8, BEST full 2x7 (slices x samples); ssdo, s3ho: half 1x5,
-                   half 2x9, full 2x9. thickness: of hsao FAST is CONSTANT, which saves a pass, all others are DEFAULT;
-                   SOLID, WIDTH, BACK and SLABS stay
+                   half 2x9, full 2x9. thickness: hsao FAST sets CONSTANT, which saves a pass, all others set DEFAULT;
+                   if it is SOLID, WIDTH, BACK or SLABS it stays
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x samples)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x samples)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
@@ -877,13 +877,13 @@ typedef struct ssgi_gl_io {
    0 for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
-/* Row i of kind PARAM of any pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
+/* Returns row i of all rows of kind PARAM: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
 
-/* The draws of a desc: its pass, and the passes before and after it. With all but desc and size at 0 the pass is drawn
-   alone. */
+/* The draws of a desc: its pass, and the passes before and after it. With only desc, width and height set no filter
+   follows the pass. */
 typedef struct ssgi_gl_chain {
     /* ---- the passes */
     ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, AOF or DSS. The passes around it are drawn with its
@@ -904,7 +904,7 @@ typedef struct ssgi_gl_chain {
 
     /* ---- the emitters */
     int reuse;   /* ssdo   1: emitters send the last frame's light, so that one gather does light and bounce */
-    int bounced; /* ssdo   1: emitters send the last frame's bounce, too: each frame adds a bounce, but no pass */
+    int bounced; /* ssdo   1: emitters send the last frame's bounce, too: a further bounce each frame, without a pass */
     int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, and the bounce restores the light that
                    their clamp removes */
     int direct; /* 1: emitters send your own radiance, too (t_ssgi_direct) */
@@ -916,7 +916,7 @@ typedef struct ssgi_gl_chain {
 
     /* ---- targets */
     int precise; /* 0: 16-bit floats, and 8 bits for final visibility; 1: 32-bit floats; 2: for coefficients, too. With
-                    0 nothing beyond a view depth of 65504 occludes or receives, as 16 bits end there */
+                    0 nothing beyond a view depth of 65504 occludes or is occluded, as 16-bit floats end there */
     int rgba8;   /* 1: 8-bit visibility is RGBA8 instead of R8, four times as many bytes, for devices that cannot draw
                     into R8. GLES 3.0 and Vulkan demand that they can, but some phones' drivers cannot. Not with
                     desc.shader.compute, whose BASIC has RGBA8 */
@@ -986,8 +986,8 @@ typedef struct ssgi_gl_output {
     int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format; /* NULL: your picture's */
     int layers, layer;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `layer` is drawn into */
-    int set, binding;             /* desc.shader.compute in VULKAN, WebGPU: those of the storage image, a 2D view; in GL
-                                     binding is the unit of the image */
+    int set, binding;             /* with desc.shader.compute of the storage image, a 2D view, in VULKAN and WebGPU; in
+                                     GL binding is the image's unit */
     int kept;                     /* 1: make two of it, which change places each frame: history */
     int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
@@ -1051,15 +1051,15 @@ typedef struct ssgi_gl_method {
     const char *settings; /* the settings unlike the preset's, as ssgi_gl_chain_of takes them: "history=1" */
 } ssgi_gl_method;
 
-/* The i-th method; NULL past the last. The first one of a pass is the plain one. */
+/* The i-th method; NULL past the last. A pass's first method is the one to begin with. */
 SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i);
 
 /* Fills a chain by a method's name. width and height are 0: set them.
      name   "NAME[,PRESET][,FIELD=VALUE].." in any case, with - or _: "hsao", "hsao-history,thickness=slabs",
-            "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at. PRESET: fast, balanced or best. FIELD: a
-            name of ssgi_gl_choice_at, but pass, or of ssgi_gl_chain_choice_at; "lights." and a name: of chain.lights,
-            whose pass is LIGHTS then. VALUE: a number or a word. A field that is given overrides the preset's value.
-            The sentence on an unknown name lists similar names. A bad name leaves the chain as it is */
+            "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at. PRESET: fast, balanced or best. FIELD: a name
+            of ssgi_gl_choice_at, except pass, or of ssgi_gl_chain_choice_at; with "lights." before it a field of
+            chain.lights, whose pass is LIGHTS then. VALUE: a number or a word. A field that is given overrides the
+            preset's value. The sentence on an unknown name lists similar names. A bad name leaves the chain as it is */
 SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, const char **why);
 
 /* GL's state of the texture at a unit, or of a target. */
@@ -1114,10 +1114,10 @@ typedef struct ssgi_gl_frame {
     float distance_clamp;  /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
     float gain;            /* [default: 1]  factor of the patches' area in BOUNCE_PATCH: the paper's strength of the
                              bounce */
-    float max_slope;       /* [default: 20]  shadow maps: their bias grows with the slope, tan of light against normal,
-                             up to this slope */
+    float max_slope;       /* [default: 20]  shadow maps: the bias grows with the slope (the tangent of the angle
+                              between light and normal) up to this slope */
     int32_t lights;        /* how many rows of t_ssgi_lights are read, at most as many as it has */
-    float lambda;          /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.gather.fade LAMBDA */
+    float lambda;          /* [units: 1/radius] [limit: >= 0] [default: 4]  lambda of desc.gather.fade LAMBDA */
 
     /* ---- the world */
     float rotation[12];  /* world to view, 3 columns padded to 4, for all inputs in the world; identity by default */
@@ -1129,13 +1129,13 @@ typedef struct ssgi_gl_frame {
     float mesh[16];   /* mesh to view space, column-major; identity by default */
     float dipole[16]; /* EFFECT_SCATTER: ssgi_gl_dipole_set */
     float keep_small; /* ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
-    float near_depth; /* aof, dss   [units: view] [default: the near plane]  lower bound of the frame's view depths:
-                         the last frame's minimum, for instance, culls most occluders and surfels around the eye */
-    float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
+    float near_depth; /* aof, dss   [units: view] [default: the near plane]  lower bound of the frame's view depths: for
+                         instance the last frame's minimum, which culls most occluders and surfels around the eye */
+    float sent;       /* effects from BOUNCE on   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light. desc.light.clamp   the most luminance
                          that an emitter sends: a few times that of your brightest wide surface */
-    float epsilon;    /* dss   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
-                         times the radiance that it sends over `sent` (times the lobe's peak): ssgi_gl_frame_of */
+    float epsilon;    /* dss   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or with
+                         light form factor * radiance / sent (* the lobe's peak): ssgi_gl_frame_of */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */
@@ -1146,7 +1146,7 @@ typedef struct ssgi_gl_frame {
         [4]; /* desc.light.harmonic_lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
                             default */
     float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
-    float last_from[16];  /* and back: ssgi_gl_frame_history */
+    float last_from[16];  /* the inverse of last_to: ssgi_gl_frame_history */
     int32_t layer;        /* desc.input.array: the layer of your array textures */
     float pace;           /* history   [limit: > 0] [default: 1]  duration of the last frame / duration of this one:
                              ssgi_gl_frame_time */
@@ -1180,7 +1180,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain 
 SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *frame, const char *name,
                               const ssgi_view *view, float radius, const char **why);
 
-/* Sets history_frames, last_to, last_from, last_size, last_footprint. Not after a cut: history_frames is then 0.
+/* Sets history_frames, last_to, last_from, last_size, last_footprint. At a cut set history_frames
+   to 0 instead.
      view, last_world_to_view    those of the last frame, as GL had them, jitter included. view has this frame's kind of
                                  projection and may have another size: the textures that the last frame wrote are read
                                  at that size, from frame.target on, and must not have been cleared or made anew
@@ -1226,10 +1227,10 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
    may use a part of that layer. */
 typedef struct ssgi_gl_views {
     float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
-    float from[4][16];  /* and back */
+    float from[4][16];  /* the inverse of to */
     float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
     float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: a point
-                           that lies in front of a surface by less is not taken to be visible; 0 */
+                           that is less in front of a surface does not count as visible; 0 */
 } ssgi_gl_views;
 
 /* Sets camera i of 0..3: view and extra_world_to_view are those of the extra camera. An oblique view is refused. With a
@@ -1381,7 +1382,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_gathered", NULL, __LINE__ + 1,
     "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of the gather's image stands for\n"
     "#if SSGI_RESOLUTION == SSGI_RESOLUTION_HALF_IN_TURN\n"
-    "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
+    "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel)); // a texel beyond the image stays so\n"
     "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
     "    return min(4 * texel + ssgi_turn_of_16(), max(u_ssgi_size - 1, 4 * texel));\n"
     "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER\n"
@@ -1870,8 +1871,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slab_thickness", NULL, __LINE__ + 1,
-    "// Thickness of the slabs that begin at z, within least .. radius. Sheets, which show their back face, and\n"
-    "// surfaces without one have ssgi_thickness(), since points would step over thinner ones.\n"
+    "// Thickness of the slabs that begin at z, within least .. radius. Sheets, which are their own back face, and\n"
+    "// surfaces without a back face have ssgi_thickness(), since points would step over thinner ones.\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
     "    bvec2 closed = bvec2(ssgi_closed(z.x, back.x), ssgi_closed(z.y, back.y));\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, closed), u_ssgi_radius), least);\n"
@@ -1903,7 +1904,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_LONGEST = 32.0; // pixels that a run reaches at least\n" },
 
 { "SSGI_STEEPEST", NULL, __LINE__ + 1,
-    "const float SSGI_STEEPEST = 2.0; // footprints of depth a pixel: ssgi_slope\n" },
+    "const float SSGI_STEEPEST = 2.0; // of the depth a pixel, in footprints: see ssgi_slope\n" },
 
 { "ssgi_flat_depth", NULL, __LINE__ + 1,
     "// Returns depth, or one over depth in perspective: linear in the pixel on a plane.\n"
@@ -2066,7 +2067,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ivec2 ssgi_emitter_pixel; // the pixel that shows the occluder of a sample\n" },
 
 { "ssgi_emitter_texel", NULL, __LINE__ + 1,
-    "// Returns the surface that a layer of camera view has at a pixel: its radiance; its normal and view depth.\n"
+    "// Returns the packed surface of a layer of camera `view` at a pixel: its radiance; its view depth and normal.\n"
     "uvec2 ssgi_emitter_texel(int view, ivec2 pixel, int layer) {\n"
     "#if SSGI_VIEWS\n"
     "    if (view >= 0) return texelFetch(t_ssgi_view_emitters, ivec3(pixel, view * SSGI_VIEW_LAYERS + layer), 0).xy;\n"
@@ -2083,8 +2084,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_radiance_from", "SSGI_BOUNCE == SSGI_BOUNCE_PATCH", __LINE__ + 1,
-    "// Radiance that the receiver gets from a patch of area pi r^2 / N at place [SSDO09 3], without the factor pi /\n"
-    "// N.\n"
+    "// Radiance that the receiver gets from a patch of area pi r^2 / N at place [SSDO09 3], without the factor pi/N.\n"
     "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) {\n"
     "    vec3 offset = ssgi_P - place;\n"
     "    float squared = max(dot(offset, offset), 1e-30);\n"
@@ -2124,7 +2124,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_surface", NULL, __LINE__ + 1,
-    "float ssgi_surface(int view, ivec2 pixel, int layer) { // the view depth of a layer of camera view at a pixel\n"
+    "float ssgi_surface(int view, ivec2 pixel, int layer) { // the view depth of camera `view`'s layer at a pixel\n"
     "#if SSGI_VIEWS\n"
     "    ivec3 texel = ivec3(pixel, view * SSGI_VIEW_LAYERS + layer);\n"
     "    if (view >= 0) return ssgi_view_depth(u_ssgi_view_decode[view], texelFetch(t_ssgi_views, texel, 0).x);\n"
@@ -2236,7 +2236,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_occupancy_of_view(int view, vec3 probe) {\n"
     "    vec3 shift = u_ssgi_view_to[view][3].xyz;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w; // In probe.z it would round each point.\n"
+    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w; // Subtracted from probe.z it would round each.\n"
     "#endif\n"
     "    vec3 seen = mat3(u_ssgi_view_to[view]) * probe + shift;\n"
     "    float unit = u_ssgi_view_decode[view].w > 0.0 ? 1.0 : seen.z;\n"
@@ -2283,8 +2283,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_in_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Whether `depth` lies in a pixel's first slab, which begins at z, or in its second: z is then the second's\n"
-    "// front.\n"
+    "// Whether `depth` lies in a pixel's first slab, which begins at z, or in its second: z becomes its front then.\n"
     "bool ssgi_in_slabs(ivec2 pixel, float depth, inout float z) {\n"
     "    vec3 back = ssgi_slabs(pixel);\n"
     "    vec2 front = vec2(z, back.y);\n"
@@ -2737,10 +2736,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_SUN = 0.5; // a light whose kind is below this is a sun\n" },
 
 { "SSGI_POINT", NULL, __LINE__ + 1,
-    "const float SSGI_POINT = 1.5; // below this: a point light or a spot\n" },
+    "const float SSGI_POINT = 1.5; // from SSGI_SUN to this: a point light\n" },
 
 { "SSGI_SPOT", NULL, __LINE__ + 1,
-    "const float SSGI_SPOT = 2.5; // below this: a spot light or a point; above it a virtual point light\n" },
+    "const float SSGI_SPOT = 2.5; // from SSGI_POINT to this: a spot; above it: a virtual point light\n" },
 
 { "ssgi_light", NULL, __LINE__ + 1,
     "struct ssgi_light { // how a row of t_ssgi_lights shines on a point\n"
@@ -2808,8 +2807,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 texel = floor(flat_ ? mapped.xy : mapped.xy / mapped.z);\n"
     "    contact = -1.0;\n"
     "    if (mapped.z <= 0.0 || texel.x < 0.0 || texel.y < 0.0 || texel.x >= tile.z || texel.y >= tile.w) return 0.0;\n"
-    "    float facing = dot(normal, axis.xyz); // ray is the length per depth.\n"
-    "    float ray = flat_ ? 1.0 : light.distance / mapped.z;\n"
+    "    float facing = dot(normal, axis.xyz);\n"
+    "    float ray = flat_ ? 1.0 : light.distance / mapped.z; // the length along the ray per depth in the map\n"
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * ray), u_ssgi_max_slope);\n"
     "    float width = light.facing.w * (flat_ ? 1.0 : mapped.z);\n"
     "    float bias = width * 0.70710678 * slope;\n"
