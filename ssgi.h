@@ -553,7 +553,7 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
    one: 3, 7, 12, 19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
 SSGI_DEF int ssgi_tess_count(int level);
 
-/* Writes the points of a level as gl_TessCoord has them, but for the rounding of GPUs (2e-5). Their order is the
+/* Writes the points of a level as gl_TessCoord has them, except for the rounding of GPUs (2e-5). Their order is the
    library's own: in rings from the edges inwards, each ring from a corner around.
      uvw      barycentric coordinates, 3 a point; they sum to 1 [limit: 3 * ssgi_tess_count(level) floats]
      level    [limit: 1..64] */
@@ -561,7 +561,7 @@ SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why);
 
 /* Returns the least level, 1..64, that has a point for each of K discs, where K = area / (pi radius^2) discs of this
    radius together have the triangle's area: ceil(sqrt((4 K - 1) / 3) - 1) [DSS14 section 3.1]. It is 1 for 3 discs or
-   fewer, where the formula has no level, and 64 for more than 3169 discs, which need the triangle split
+   fewer, for which the formula has no level, and 64 for more than 3169 discs, which need the triangle split
    (ssgi_surfel_desc.splits). The formula is that of even levels. An odd level has a quarter of a point less than the
    formula says: level 1 is taken for up to 3.25 discs, and 12.1 discs get 12 points.
      area     [units: view^2] 0 or below: level 1
@@ -677,7 +677,7 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* Makes surfels of triangles; their areas sum to the triangle's, on average where small ones are thinned (keep_small
+/* Makes surfels of triangles; their areas sum to the triangle's (on average, if small triangles are thinned: keep_small
    0). Writes at most `capacity` surfels, and to *count their number (to query it, give out NULL and capacity 0).
    Triangles without area, with corners that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give
    no surfels; normals, and components of a colour, that are not finite count as 0. A surfel's seed depends only on the
@@ -786,8 +786,7 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      solid_angle    [units: sr] [limit: finite; clamped to 0..4 pi]
      axis, normal   [limit: finite, not 0] in the coefficients' space, of any length
-   It is exact where the light is constant, else within 0.5 % of the unoccluded irradiance, and for inverse caps within
-   1.5 %. */
+   It is exact if the light is constant, else within 0.5 %, for inverse caps within 1.5 %, of unoccluded irradiance. */
 SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int bands, float solid_angle,
                                     const float axis[3], const float normal[3], const char **why);
 
@@ -832,7 +831,7 @@ SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float norm
       float triangle[9] = { 0, 0, 0,  1, 0, 0,  0, 1, 0 }, point[3] = { 0.3f, 0.3f, 1 }, normal[3] = { 0, 0, -1 };
       ssgi_field field;
       ssgi_field_desc d;
-      memset(&d, 0, sizeof d);                                         // every choice at its default, but for
+      memset(&d, 0, sizeof d);                                         // every choice at its default, except:
       d.resolution = 8;                                                // 8 x 8 texels a face
       size_t size = ssgi_field_bake_size(&d, 1);                       // of one triangle
       uint32_t *texels = (uint32_t *)malloc(ssgi_field_size(8));
@@ -964,7 +963,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
       ssgi_plan_scene s;
       memset(&s, 0, sizeof s);                                         // a number left 0 is not known
       s.wanted = SSGI_PLAN_WANTED_VISIBILITY;
-      s.thickness = SSGI_PLAN_THICKNESS_SLABS;                         // what you can draw
+      s.thickness = SSGI_PLAN_THICKNESS_SLABS;                         // the best that you can draw
       s.error = 0.03f;
       s.screen_radius = 0.2f;
       ssgi_survey_of(&s.survey, hsao, best, solid, slabs, 3000, NULL);  // pictures of hsao, here 3000 pixels of them
@@ -1498,9 +1497,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     }
     ssgi__cross(axis[1], axis[2], axis[0]);
     ssgi__cross(turn, was[0], was[1]);
-    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k)
-        axis[0][k] = -axis[0][k]; /* as the main camera is
-                                                                                              mirrored */
+    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k]; /* mirrored, too */
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
         fits &= ssgi__fit(&view[12 + i], -ssgi__dot(axis[i], eye));
@@ -1696,9 +1693,7 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
     SSGI__ENOUGH(words, 9 * triangles, "words: must be 9 * triangles or more");
     m.vertex = work + 3 * triangles;
     m.part = m.vertex + 3 * triangles;
-    for (size_t i = 0; i < 3 * triangles; ++i)
-        m.vertex[i] = SSGI__PART; /* triangles that are not left out change this
-                                                                            below */
+    for (size_t i = 0; i < 3 * triangles; ++i) m.vertex[i] = SSGI__PART; /* for now none is used */
     for (size_t i = 0; i < triangles; ++i) {
         double p[3][3];
         int inside = 1;
@@ -3319,7 +3314,7 @@ SSGI__FN void ssgi__surfel_inset(ssgi__patch *p, int overhang)
     double weight[3], d[3], centre[3] = { 0.0, 0.0, 0.0 }, sum = 0.0;
     for (int c = 0; c < 3; ++c) {
         ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
-        weight[c] = overhang == SSGI_OVERHANG_CENTROID ? 1.0 : sqrt(ssgi__dot(d, d)); /* of the inscribed circle */
+        weight[c] = overhang == SSGI_OVERHANG_CENTROID ? 1.0 : sqrt(ssgi__dot(d, d)); /* sides weigh the incentre */
         sum += weight[c];
     }
     for (int c = 0; c < 3; ++c) ssgi__along(centre, centre, weight[c] / sum, p->at[c]);
@@ -3951,9 +3946,9 @@ SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *
     return error;
 }
 
-/* Returns the error by which directions miss a point c, for ssgi__field_descend: the sum of squared chords, |unit
-   vector to c - direction|^2, or of (1 - cosine)^2. It is 1e300 for a point beyond the hull's tangent at the first
-   radius, where directions would flip. */
+/* Returns the error by which directions miss a point c, for ssgi__field_descend: with `chord` the sum of squared
+   chords, |unit vector to c - direction|^2, else that of (1 - cosine)^2. It is 1e300 for a point beyond the hull's
+   tangent at the first radius, where directions would flip. */
 SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
@@ -4365,8 +4360,8 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
             }
 }
 
-/* Returns A_0, the mean occlusion of points in the hull, weighted toward the centre. If more than 95 % of its rays hit,
-   the mesh encloses a point, and it does not count. If no point counts, A_0 is 1. */
+/* Returns A_0, the mean occlusion of points in the hull, weighted toward the centre. A point does not count if more
+   than 95 % of its rays hit, since the mesh then encloses it. If no point counts, A_0 is 1. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;

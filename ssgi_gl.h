@@ -386,9 +386,9 @@ typedef enum ssgi_gl_transfer {
 typedef enum ssgi_gl_harmonics {
     SSGI_GL_HARMONICS_FRAME = 0, /* frame.harmonics: the same everywhere */
     SSGI_GL_HARMONICS_CUSTOM, /* desc.shader.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position) returns coefficient
-                                    i of the radiance, in the world, at a view-space position, as from a volume of
-                                    probes [S3HO12 1, 6]. It is called for each i once a pixel, where coefficients are
-                                    shaded or unoccluded light is restored */
+                                 i of the radiance, in the world, at a view-space position, as from a volume of probes
+                                 [S3HO12 1, 6]. It is called for each i once a pixel, if coefficients are shaded or
+                                 unoccluded light is restored */
     SSGI_GL_HARMONICS_FORCE = SSGI_FORCE
 } ssgi_gl_harmonics;
 
@@ -498,7 +498,7 @@ typedef enum ssgi_gl_filter {
 
 /* desc.gather.resolution: the pixels that a gather writes. Blur or history brings its result to full resolution. */
 typedef enum ssgi_gl_resolution {
-    SSGI_GL_RESOLUTION_FULL = 0,     /* all of them */
+    SSGI_GL_RESOLUTION_FULL = 0,     /* all pixels */
     SSGI_GL_RESOLUTION_HALF,         /* the first pixel of every 2x2, so that the size is half, rounded up */
     SSGI_GL_RESOLUTION_HALF_IN_TURN, /* each of the four in turn, by frame.phase: set by ssgi_gl_steps before history */
     SSGI_GL_RESOLUTION_QUARTER,      /* the first pixel of every 4x4: a quarter of the size */
@@ -550,8 +550,8 @@ typedef struct ssgi_gl_gather_desc {
     int slices;            /* slices   [limit: 0..32] [default: 1]  how many; each is walked in two directions */
     int directions;        /* points, march   [limit: 0..64] [default: points 16, march 6]  how many: the papers' N and
                               N_d */
-    int samples; /* [limit: 0..64] [default: 6; points 1; lights 8]  samples along each direction, N_s; lights:
-                              along the segment. Of the points along a direction the first occluded one counts */
+    int samples; /* [limit: 0..64] [default: 6; points 1; lights 8]  samples along each direction, N_s; lights: along
+                    the segment. Of the points along a direction the first occluded one counts */
     ssgi_gl_noise noise;
     ssgi_gl_resolution
         resolution; /* gathers, shade: the pixels that they write; blur, history: the pixels that their input has */
@@ -581,14 +581,14 @@ typedef struct ssgi_gl_gather_desc {
     int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
     ssgi_gl_march_terms march_terms; /* hsao by march */
     int growing_sphere; /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the
-                            ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
+                           ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
     int kernel_texture; /* points   0: one set in the shader, turned by noise; 1: sets in a texture, chosen by noise */
     int uniform_directions; /* points of gathers   1: directions are spread evenly, as published, and each is weighted
                                by 2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same,
                                which has a lower error */
     ssgi_gl_fade fade;      /* points */
     int range_check;        /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
-                            [S3HO12 2.1] */
+                               [S3HO12 2.1] */
 } ssgi_gl_gather_desc;
 
 /* ---- desc.light: the light of ssdo, lights and emitters, and the coefficients of s3ho, shade and their blur */
@@ -648,20 +648,19 @@ typedef struct ssgi_gl_light_desc {
 /* ---- desc.surfel: surfels, interleave, dss, deinterleave, smooth, sum */
 typedef struct ssgi_gl_surfel_desc {
     ssgi_gl_effect effect; /* dss, deinterleave, smooth, sum */
-    int levels;            /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
-                                taps of the level before. 4 levels reach 12 surfel radii if epsilon is 0.3: 0.18 image
-                                heights with size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
-                                wants 5, SCATTER 7 */
-    int tessellate;        /* surfels, dss   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
-                                310es */
+    int levels;            /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice as many samples of
+                              pass smooth as the level before. 4 levels reach 12 surfel radii if epsilon is 0.3: 0.18
+                              image heights with size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
+                              wants 5, SCATTER 7 */
+    int tessellate;        /* surfels, dss   0: surfels come from a buffer; 1: from patches: not in 330, 300es, 310es */
     ssgi_gl_sends sends;   /* surfels, dss when tessellate */
     int span;              /* hsao, ssdo by slices; dss, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
-                                surfaces up to this distance are left to slices, farther and hidden ones to surfels; 6
-                                has the lowest error; 0: all are left to surfels. The slices are 2x8, WIDTH, unless
-                                desc.gather sets numbers or a thickness */
-    int near_samples;      /* dss   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
-                                0, 1: its centre alone, as published, which finds half of the true effect at 1/3 radius
-                                from a wall. SPECULAR wants 4, SCATTER does not look at it */
+                              surfaces up to this distance are left to slices, farther and hidden ones to surfels; 6 has
+                              the lowest error; 0: all are left to surfels. The slices are 2x8, WIDTH, unless
+                              desc.gather sets numbers or a thickness */
+    int near_samples;      /* dss   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
+                              its centre alone, as published, which finds half of the true effect at 1/3 radius from a
+                              wall. SPECULAR wants 4, SCATTER does not look at it */
 
     /* the papers' own */
     ssgi_overhang overhang;  /* surfels, dss when tessellate   how triangles shrink, as in ssgi_surfel_desc
@@ -680,8 +679,8 @@ typedef struct ssgi_gl_filter_desc {
     ssgi_gl_filter kind; /* blur, history: choice "filter" */
     int radius;          /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels of the filter's
                             input, which gather.resolution thins out: 1 is 3x3. Choice "filter_radius" */
-    int normals;         /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch
-                                  each. Choice "filter_normals" */
+    int normals;         /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch each.
+                            Choice "filter_normals" */
     ssgi_gl_onto onto;   /* blur of ambient visibility, compose */
 
     /* of the steps */
@@ -747,7 +746,7 @@ typedef struct ssgi_gl_choice {
 
 /* The i-th field; NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
-/* The i-th choice of ssgi_gl_chain, where offset is into that; NULL past the last. */
+/* The i-th choice of ssgi_gl_chain; its offset is into ssgi_gl_chain. NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
 
 /* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
@@ -899,7 +898,7 @@ typedef struct ssgi_gl_chain {
     int history;      /* 1: they are also averaged over frames, at full resolution: pass history instead of blur. Needs
                          blur = 1 */
     int coefficients; /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is
-                            filtered */
+                         filtered */
     int unsmoothed;   /* dss   1: levels are added unfiltered */
 
     /* ---- the emitters */
@@ -996,7 +995,7 @@ typedef struct ssgi_gl_output {
 enum {
     SSGI_GL_SCALE_FULL = 0,
     SSGI_GL_SCALE_HALF,   /* half of the image, rounded up */
-    SSGI_GL_SCALE_LEVELS, /* the size of all levels: ssgi_splat_size of what desc.gather.resolution leaves */
+    SSGI_GL_SCALE_LEVELS, /* the size of all levels: ssgi_splat_size of the image at desc.gather.resolution */
     SSGI_GL_SCALE_TILES,  /* an eighth of the image, rounded up */
     SSGI_GL_SCALE_QUARTER /* a quarter of the image, rounded up */
 };
@@ -1046,7 +1045,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 /* A method: a chain with the name that README, tools and pages use. */
 typedef struct ssgi_gl_method {
     const char *name;     /* "hsao-history" */
-    const char *sentence; /* what it is for, and what it needs beyond depth and normals */
+    const char *sentence; /* its use, and its needs beyond depth and normals */
     int pass, preset;     /* chain.desc.pass; SSGI_GL_PRESET_FAST .. */
     const char *settings; /* the settings unlike the preset's, as ssgi_gl_chain_of takes them: "history=1" */
 } ssgi_gl_method;
@@ -1110,10 +1109,10 @@ typedef struct ssgi_gl_frame {
                               chain */
     float phase;           /* [limit: 0..1]  turns the noise; 0, or if frames are averaged another value each frame */
     float fade;            /* [units: view] [default: 0.3 radii]  distance at which occluders begin to fade; with the
-                             radius they do not fade */
+                              radius they do not fade */
     float distance_clamp;  /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
     float gain;            /* [default: 1]  factor of the patches' area in BOUNCE_PATCH: the paper's strength of the
-                             bounce */
+                              bounce */
     float max_slope;       /* [default: 20]  shadow maps: the bias grows with the slope (the tangent of the angle
                               between light and normal) up to this slope */
     int32_t lights;        /* how many rows of t_ssgi_lights are read, at most as many as it has */
@@ -1140,11 +1139,11 @@ typedef struct ssgi_gl_frame {
 
     /* ---- the rest, where std140 has room for it */
     float history_frames; /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
-                            the average begins anew. Seconds: ssgi_gl_frame_time */
+                             the average begins anew. Seconds: ssgi_gl_frame_time */
     float oblique[2];     /* desc.input.oblique: from ssgi_view */
     float window
         [4]; /* desc.light.harmonic_lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
-                            default */
+                default */
     float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float last_from[16];  /* the inverse of last_to: ssgi_gl_frame_history */
     int32_t layer;        /* desc.input.array: the layer of your array textures */
@@ -1480,7 +1479,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_ORTHOGRAPHIC\n"
     "    uvec3 first = bits.yzw >> 6u & 3u;\n"
     "    float z = uintBitsToFloat(bits.x);\n"
-    "    bits.x = first.x | first.y << 2u | first.z << 4u; // a difference of 0, and its thickness\n"
+    "    bits.x = first.x | first.y << 2u | first.z << 4u; // the first pixel: difference 0, and its thickness\n"
     "#endif\n"
     "    bits.xy = (pixel.y & 1) == 0 ? bits.xy : bits.zw;\n"
     "    bits.x = (pixel.x & 1) == 0 ? bits.x : bits.y;\n"
@@ -2653,7 +2652,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_ambient", NULL, __LINE__ + 1,
-    "// Ambient visibility, which is coefficient 0 but for a factor.\n"
+    "// Ambient visibility: coefficient 0 times a factor.\n"
     "vec3 ssgi_ambient(ssgi_coefficients coefficients) {\n"
     "    vec3 ambient = vec3(coefficients.channel[0].word0.x,\n"
     "        coefficients.channel[1 % coefficients.channel.length()].word0.x,\n"
