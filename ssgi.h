@@ -685,7 +685,7 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* How surfels are splatted: ssgi_gl_frame has epsilon, radius and near_depth. */
+/* How surfels are splatted. The shaders take epsilon, max_distance (as radius) and near_depth from ssgi_gl_frame. */
 typedef struct ssgi_splat {
     float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.3] form factor at the end of level 0 */
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
@@ -4912,8 +4912,8 @@ static const float ssgi__plan_survey[2][3][4] = {
 
 /* The costs of splats and fields in addition to a choice's own, in software and on a GPU. */
 static const struct {
-    float texel, surfel; /* of as many texels of splats, or surfels, as the frame has pixels */
-    float occluder;      /* of an occluder that reaches all pixels */
+    float texel, surfel; /* cost of as many texels of splats, or surfels, as the frame has pixels */
+    float occluder;      /* cost of an occluder that reaches all pixels */
 } ssgi__plan_costs[2] = { { 0.173f, 21.3f, 0.75f }, { 0.105f, 7.6f, 0.3f } };
 
 SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)

@@ -985,8 +985,8 @@ typedef struct ssgi_gl_output {
     int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format; /* NULL: your picture's */
     int layers, layer;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `layer` is drawn into */
-    int set, binding;             /* with desc.shader.compute of the storage image, a 2D view, in VULKAN and WebGPU; in
-                                     GL binding is the image's unit */
+    int set, binding;             /* of the storage image (a 2D view) with desc.shader.compute in VULKAN, WebGPU; in GL
+                                     binding is the image's unit */
     int kept;                     /* 1: make two of it, which change places each frame: history */
     int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
