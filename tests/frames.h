@@ -58,7 +58,7 @@ int        flat(const kit_image *frame, int x, int y);          /* only surface 
 int        walls(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes,
                  const char *more);
 void       turn(kit_run *run, kit_gbuffer *g);                  /* sets another G-buffer of the same size */
-/* Gives a pass targets of another size, except slices of arrays. data: their contents, NULL = any. */
+/* Gives a pass targets of another size, except layers of arrays. data: their contents, NULL = any. */
 void       resize(kit_pass *p, int width, int height, const float *data);
 
 /* Floor and wall, seen orthographically from 45 degrees above. A radius of 1 is SPAN pixels down the floor and up the

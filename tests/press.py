@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Presses keys in a program's window and drops files on it, as a user would; for viewer.sh. It needs an X server, and
-the window alone there.
+"""Presses keys in a program's window and drops files on it, as a user would, for viewer.sh. It needs an X server that
+shows no other window.
 
-    build/press KEY ..           X's names of keys: m M bracketleft; title: prints the window's; drop:/a/file: drops
-                                 it; turn:N: the wheel; drag:X,Y: with the left button; size:WxH: of the window;
-                                 grab:F.ppm: what the window shows; wait: 0.3 seconds
+    build/press KEY ..           X's names of keys: m M bracketleft; title: prints the title; drop:/a/file: drops a
+                                 file; turn:N: turns the wheel; drag:X,Y: drags with the left button; size:WxH: resizes
+                                 the window; grab:F.ppm: saves its picture; wait: waits 0.3 seconds
 """
 import re, select, sys, time
 from Xlib import X, XK, display
@@ -17,7 +17,7 @@ window = None
 
 
 def shown(below):
-    """The window that is shown and has a name."""
+    """Finds the visible window that has a name."""
     if below.get_wm_name() and below.get_attributes().map_state == X.IsViewable:
         return below
     return next(filter(None, map(shown, below.query_tree().children)), None)
@@ -75,7 +75,7 @@ def message(kind, *values):
 
 
 def drop(path):
-    """By the protocol XDND, version 5: answers what the window asks until it says that it is done."""
+    """Drops a file by the protocol XDND, version 5: answers the window's requests until it reports the end."""
     source.set_selection_owner(server.intern_atom("XdndSelection"), X.CurrentTime)
     message("XdndEnter", 5 << 24, server.intern_atom("text/uri-list"))
     message("XdndPosition", 0, 100 << 16 | 100, X.CurrentTime, server.intern_atom("XdndActionCopy"))

@@ -498,8 +498,8 @@ static void charts(void)
 
 static void hdr(void)
 {
-    /* two rows: 8 pixels run-length coded (a run of 8, 8 literals, two half runs, a run), then the same written flat
-       would be a new file */
+    /* Two files: one row of 8 pixels, run-length coded (a run of 8, 8 literals, two half runs, a run); two rows of one
+       pixel, written flat. */
     static const char head[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n";
     static const unsigned char coded[] = { 2,  2,  0,  8,   136, 128, 8,   0, 16,  32, 48,
                                            64, 80, 96, 112, 132, 1,   132, 2, 136, 129 };

@@ -200,8 +200,8 @@ static void frames_are_counted(void)
         const kit_pass *const drawn_by = pass_of(s.frames.now, SSGI_GL_PASS_HISTORY);
         for (int p = 0; p < drawn_by->width * drawn_by->height; ++p) {
             const int x = p % W;
-            /* by rounding, a place half a pixel beyond the border may be outside of the last picture: then one frame
-               less */
+            /* half a pixel beyond the border, rounding decides whether the last picture has the place; if not, one
+               frame less */
             const float off = expected[p] - kept[p];
             wrong += !row[i].bar && !(fabsf(off) < 0.02f || (row[i].x > 1 && fabsf(off - 1) < 0.02f));
             anew += row[i].bar && x >= BAR && x < BAR + ACROSS && kept[p] < 1.001f;

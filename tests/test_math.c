@@ -790,7 +790,7 @@ static void environment_maps(void)
               (double)given[0] / sqrt(4 * PI));
         t_note("lobe of %g sr: worst error %.2g of the mean", (double)angles[k], worst);
     }
-    /* values that are no light count as 0 in each function */
+    /* negative, infinite and NaN values count as 0 in each function */
     ssgi_sun suns[2][5];
     float sh[2][27];
     const float kept = rgb[30000];

@@ -611,7 +611,7 @@ static int step_within(kit_gbuffer *g, int linear)
 static int as_engines_have(kit_gbuffer *g, int way)
 {
     static float z[SEEN], n[4 * SEEN], depth[2 * SEEN], normal[8 * SEEN];
-    const int layer = way == SLICED;                       /* slice 0 shows no surface */
+    const int layer = way == SLICED;                       /* layer 0 shows no surface */
     const float *const p = g->projection, was[16] = { p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10],
                                                       p[11], p[12], p[13], p[14], p[15] };
     GLuint texture[2];
@@ -878,7 +878,7 @@ static void targets_have_room(void)
             kit_pass *p = &run.pass[k];
             resize(p, p->width + BEYOND, p->height + BEYOND, sevens);
             if (p->target[0]) continue;
-            const GLuint array = run.texture[run.textures++] =  /* its target is a slice of emitters */
+            const GLuint array = run.texture[run.textures++] =  /* its target is a layer of emitters */
                 kit_texture_array(p->width, p->height, 1, p->step->output[0].format->internal, sevens);
             kit_run_input(&run, "t_ssgi_emitters", array);
             glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);

@@ -691,7 +691,7 @@ static void refusals(void)
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 1, NULL, &why), "lights");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, -1, NULL, &why), "light_count");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 0, black, &why), "sky");
-    for (int k = 0; k < COUNT(distances); ++k) { /* of a sun, with one row */
+    for (int k = 0; k < COUNT(distances); ++k) { /* a sun that one row follows, for a wider map */
         const ssgi_gl_light suns[2] = { { .min_distance = distances[k] } };
         REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, suns, 2, NULL, &why), "lights.min_distance");
     }
@@ -1161,8 +1161,8 @@ static const char reaches_nowhere[] =
     "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 c, float e) { return 0.0; }\n"
     "vec4 ssgi_custom_effect(vec3 p, vec3 n, float r, vec3 c, vec3 P, vec3 m) { return vec4(1.0); }\n";
 
-/* One's own effect equals the library's: on a level, on several, enlarged. Its channels are its own, and without reach
-   it adds nothing. */
+/* What a custom effect brings equals what the library's own brings, on one level, on several and enlarged. Its channels
+   are separate, and an effect without reach adds nothing. */
 static void custom(void)
 {
     static const char *const sets[] = { "levels=1", "levels=4,way=direct", "levels=4,enlarge=1",
@@ -1418,7 +1418,7 @@ static void sent_by_one(void)
         double sent = 0;
         memcpy(light[0].colour, colour, sizeof colour);
         memcpy(light[1].colour, colour, sizeof colour);
-        if (light[1].kind == SSGI_GL_LIGHT_SUN) light[1].min_distance = 0; /* no row follows */
+        if (light[1].kind == SSGI_GL_LIGHT_SUN) light[1].min_distance = 0; /* no row of a wider map follows */
         for (int c = 0; c < 3; ++c)
             sent = fmax(sent, (double)surfel.colour[c] * ((row[i].sky ? (double)sky[c] : 0)
                                                           + 2 * (double)colour[c] * row[i].facing / pi));

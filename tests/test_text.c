@@ -523,7 +523,7 @@ static void ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 }
 
 /* Each texture has its own unit, or in Vulkan's dialect its own binding, apart from the blocks. Outputs, attributes and
-   captures count up. A constant is declared with its value. */
+   captures are numbered from 0 on. A constant is declared with its value. */
 static void check_places(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows, const char *fragment)
 {
     const int vulkan = d->shader.dialect == SSGI_GL_DIALECT_VULKAN;
@@ -819,7 +819,7 @@ static void closed(void)
 
 /* ---- >>lint ------------------------------------------------------------------------------------------------------ */
 
-/* The words of tests/reserved.txt, with a blank before and after each, without those that we use in that meaning. */
+/* The words of tests/reserved.txt, each between blanks, without those that the shaders use as GLSL means them. */
 static char reserved_words[1 << 14];
 
 static int reserved_words_read(void)

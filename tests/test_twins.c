@@ -199,7 +199,7 @@ static void phases_spread(void)
 static float in[MANY][4], out[MANY][4], map[MANY][4];
 static float *const ins = &in[0][0], *const outs = &out[0][0];    /* in and out as arrays of floats */
 
-/* Inputs of probes besides in and map: extra cameras; for the next probe only, slices of an array, pass thickness. */
+/* Inputs of probes besides in and map: extra cameras; for the next probe only, layers of an array, pass thickness. */
 static ssgi_gl_views probed;
 static struct { const void *texels; int count; GLenum format; } probed_layers;
 static const uint32_t (*probed_width)[4];

@@ -36,8 +36,8 @@ grabbed() { build/press "$@" wait wait grab:$work/grab.ppm; saved=$work/grab.ppm
 differ() { build/rmse "$1" "$2" 2>/dev/null | awk '{ print ($1 > 0.001) } END { if (!NR) print 1 }'; }
 wait_for() { for i in $(seq "$1"); do build/press wait; done; }
 
-# ---- settings, light and camera, by the line: KEYS with + between, the option, its value "b" beside "a" before as AWK
-# says; "" = it has none. p and q are the parts of both.
+# ---- settings, light and camera, by the line: KEYS joined by +, the option, and an AWK condition on its value: "a"
+# before the keys, "b" after them, "" = no value. p and q hold the parts of a and b.
 pressed=
 begin room --size 320x180 --scale 1 --panel 0
 ask
@@ -104,7 +104,7 @@ check "viewer, the title: $title" "$(shown 'room - ssdo - 400x240 - *[0-9] ms' &
 end q
 check "viewer, key q: status $ended" "$([ $ended = 0 ] && echo 1)"
 
-# ---- what only the picture shows: KEYS, how it is seen, what differs from the picture before
+# ---- effects seen in the picture alone: KEYS, how they are seen, what differs from the picture before
 begin room --size 320x180 --scale 1 --panel 0 --method hsao --set history=0
 picture
 while read -r keys seen what; do
@@ -144,7 +144,7 @@ for k in $listed; do
     case "$pressed " in *" $k "*) ;; *) check "viewer, key $k is listed, but not tried here" 0 ;; esac
 done
 
-# ---- files that are dropped
+# ---- dropped files
 begin room --size 320x180 --scale 1 --panel 0 --set history=0
 ask
 whole=$line
@@ -168,7 +168,7 @@ for drop in "dim.hdr $work/dim.hdr" "it%27s%20a%20triangle.gltf it'\\''s a trian
 done
 end
 
-# ---- the size that there is time for; what a view that stays becomes
+# ---- the size fits the frame time; a view at rest is refined
 # A title ends with "WxH - MS ms".
 begin room --size 1280x720 --panel 0 --method ssdo
 build/press a

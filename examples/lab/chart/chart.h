@@ -4,8 +4,8 @@
 
 #include "lab/chart/section.h"
 
-/* The sections of the demo and of the charts: ambient occlusion, light, fields, deep screen space. ao_chart is of all
-   scenes, with other libraries' effects; its entries are how many rows are asked for. */
+/* The sections of the demo and of the charts: ambient occlusion, light, fields, deep screen space. ao_chart has all
+   scenes and other libraries' effects; ao_entries is how many of its rows are asked for. */
 extern const section ao_demo, lit_demo, fields_demo, deep_demo;
 extern const section ao_chart, lit_chart, fields_chart, deep_chart;
 int  ao_entries(const options *o);

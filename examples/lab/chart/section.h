@@ -30,7 +30,7 @@ struct section {
     const char *method;                    /* the method that --method must allow for a set with own */
     const set *sets;
     int count, width, height, stride, rounds;
-    int of[2];                             /* columns of unlit and of lit rows, without the floor; 0: all */
+    int of[2];                             /* columns of unlit and lit rows, with no floor; 0: the rows' own */
     int (*open)(stage *s, const section *c, const set *t, kit_error *err);
     /* Fills rows and pictures and returns how many pictures; given rows follow. NULL: measure_entries. */
     int (*measure)(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
