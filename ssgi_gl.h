@@ -3052,7 +3052,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>gather: sampling around a pixel ========================================================================= */
 
 { "ssgi_sums", NULL, __LINE__ + 1,
-    "struct ssgi_sums { // shares are of the cosine-weighted hemisphere, attenuated\n"
+    "struct ssgi_sums { // A share is a part of the cosine-weighted hemisphere, attenuated over the distance.\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
     "    float all; // occluded share\n"
     "#endif\n"
@@ -3068,7 +3068,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients bounce; // the cosine lobes of the occluders, times their albedo\n"
     "#endif\n"
     "#if SSGI_SEARCH == SSGI_SEARCH_SLICES && SSGI_BOUNCE\n"
-    "    float found, expected; // shares of the occluders that taps found (never 0) and of those expected\n"
+    "    float found, expected; // occluded shares: found by taps (never 0); expected besides, as taps miss some\n"
     "#endif\n"
     "};\n" },
 
@@ -3096,7 +3096,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reflected", "SSGI_OCCLUDED_EMITTERS", __LINE__ + 1,
-    "// Adds the last frame's coefficients of the surface at a pixel, times albedo and share [S3HO12 2.3].\n"
+    "// Adds the last frame's coefficients of the surface at a pixel [S3HO12 2.3]. albedo is already multiplied by\n"
+    "// the occluded share.\n"
     "void ssgi_reflected(inout ssgi_coefficients coefficients, ivec2 pixel, vec3 albedo) {\n"
     "    ssgi_coefficients last = ssgi_load_last(pixel + u_ssgi_target);\n"
     "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
@@ -3104,7 +3105,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reflected", "!SSGI_OCCLUDED_EMITTERS", __LINE__ + 1,
-    "// Adds the cosine lobe of a surface that is seen along direction, times albedo and share [S3HO12 eq. 5].\n"
+    "// Adds the cosine lobe of a surface that is seen along direction [S3HO12 eq. 5]. albedo is already multiplied\n"
+    "// by the occluded share.\n"
     "void ssgi_reflected(inout ssgi_coefficients coefficients, vec3 normal, vec3 direction, vec3 albedo) {\n"
     "    normal = normalize(normal);\n"
     "#if SSGI_TWO_SIDED\n"
@@ -3126,7 +3128,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
+/* ---- Points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]. Their lengths are distributed so that fewer of
+   them lie behind a far occluder, which attenuates it. */
 
 { "SSGI_KERNEL_TABLE", NULL, __LINE__ + 1,
     "#if !SSGI_UNIFORM_DIRECTIONS\n"
@@ -3148,14 +3151,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "struct ssgi_points { // where samples lie\n"
     "    vec3 start; // the lifted receiver\n"
     "    mat3 basis; // takes +z to the normal, after a turn by noise\n"
-    "    float offset; // is added to each length, modulo 1\n"
+    "    float offset; // is added to the length of each row of the kernel, modulo 1\n"
     "#if SSGI_KERNEL_TEXTURE\n"
     "    int row; // row of t_ssgi_kernel, a set of directions\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_points_of", NULL, __LINE__ + 1,
-    "ssgi_points ssgi_points_of(vec3 P, vec3 normal, vec2 random) { // also sets the receiver\n"
+    "ssgi_points ssgi_points_of(vec3 P, vec3 normal, vec2 random) { // also sets ssgi_P and ssgi_n\n"
     "#if SSGI_FADE || SSGI_RANGE_CHECK\n"
     "    ssgi_P = P;\n"
     "#elif SSGI_BOUNCE && (!SSGI_TWO_SIDED || SSGI_BOUNCE == SSGI_BOUNCE_PATCH || SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
@@ -3177,7 +3180,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_point_occlusion", NULL, __LINE__ + 1,
-    "// Returns how much the first occluded point of direction i counts, or 0. +z of direction is the normal.\n"
+    "// Returns the occlusion at the first occluded point along direction i, or 0. In direction +z is the normal.\n"
     "float ssgi_point_occlusion(ssgi_points points, int i, out vec3 direction) {\n"
     "#if SSGI_KERNEL_TEXTURE\n"
     "    vec4 entry = texelFetch(t_ssgi_kernel, ivec2(i, points.row), 0);\n"
@@ -3198,15 +3201,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Patches divide by the pdf, which is the cosine. Without this bound a sample near the horizon outshines all others. */
+/* With bounce PATCH a sample is divided by its pdf, the cosine. Without this lower bound of the cosine, one sample near
+   the horizon would be brighter than all others. */
 { "SSGI_GRAZING", NULL, __LINE__ + 1,
     "const float SSGI_GRAZING = 0.05; // Smaller cosines count as this one.\n" },
 
-/* Adds the light of the sample's occluder, ssgi_emitter. */
+/* Adds the light of ssgi_emitter, the occluder that the sample has found. */
 { "ssgi_add_bounce", "SSGI_BOUNCE && SSGI_PASS == SSGI_PASS_SSDO", __LINE__ + 1,
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM_DIRECTIONS\n"
-    "    // A patch of pi r^2/N wants uniform directions, so the pdf divides.\n"
+    "    // An area of pi r^2/N a patch assumes uniform directions. These follow the cosine, so the pdf divides.\n"
     "    occlusion *= 0.5 / max(direction.z, SSGI_GRAZING);\n"
     "#endif\n"
     "    sums.bounce += ssgi_emitter.xyz * (occlusion / float(SSGI_DIRECTIONS));\n"
@@ -3235,7 +3239,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float occlusion = ssgi_point_occlusion(points, i, direction);\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM_DIRECTIONS\n"
-    "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // Each patch has pi r^2/N, not 2 cos of it.\n"
+    "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // before the weight: all patches are equal\n"
     "#endif\n"
     "#if SSGI_UNIFORM_DIRECTIONS\n"
     "        float weight = 2.0 * direction.z; // A sample has 2 pi/N steradians; the cosine's integral is pi.\n"
@@ -3270,7 +3274,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_POINTS", __LINE__ + 1,
-    "// Returns the environment's light in the form of desc.light.restore; where nothing occludes it is exact.\n"
+    "// Returns the environment's light in the form that desc.light.restore names. Unoccluded light is exact, as only\n"
+    "// dark is sampled.\n"
     "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 normal) {\n"
     "#if !SSGI_RESTORE\n"
     "    return (1.0 - dark) * ssgi_open_light(P, normal);\n"
@@ -3281,10 +3286,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- the paper's march [HSAO08 3.1 to 3.3] */
+/* ---- the march of the paper [HSAO08 3.1 to 3.3] */
 
 { "ssgi_ray", NULL, __LINE__ + 1,
-    "// Returns the weight of the first occluded step on a ray from the lifted receiver; 0: no step is occluded.\n"
+    "// Returns the weight of the first occluded sample on a ray from the lifted receiver; 0 if none is occluded.\n"
     "float ssgi_ray(vec3 start, vec3 direction, float random) {\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
     "        float radii = (float(i) + random) / float(SSGI_SAMPLES);\n"
@@ -3295,9 +3300,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_horizon", NULL, __LINE__ + 1,
-    "// Finds the horizon along tangent by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the\n"
-    "// sine of its elevation, and the occlusion below, which sums the increments of H^2, each attenuated by its own\n"
-    "// distance. beta shifts the steps.\n"
+    "// Finds the horizon along tangent by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the sine\n"
+    "// of the horizon's elevation, and the occlusion below it: the sum of the increments of H^2, each attenuated by\n"
+    "// the distance of its occluder. beta shifts all samples along the ray, by that many spacings.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 normal, vec3 tangent, float beta) {\n"
     "    vec3 direction = tangent;\n"
     "    vec2 horizon = vec2(0.0);\n"
@@ -3344,8 +3349,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_above", NULL, __LINE__ + 1,
-    "// Returns the occlusion above H along a tangent, by normal rays spread evenly over z^2 in [H^2, 1] [HSAO08 3.3,\n"
-    "// corrected].\n"
+    "// Returns the occlusion above the horizon H along a tangent [HSAO08 3.3, corrected]. The z^2 of its normal rays\n"
+    "// are spread evenly over [H^2, 1].\n"
     "float ssgi_above(vec3 start, vec3 normal, vec3 tangent, float H, vec2 random) {\n"
     "    float sum = 0.0;\n"
     "    for (int ray = 0; ray < SSGI_NORMAL_RAYS; ++ray) {\n"
@@ -3383,10 +3388,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_sums(sum / float(SSGI_DIRECTIONS));\n"
     "}\n" },
 
-/* ---- The walk: ssgi_walk_slice says how it goes. The normal is divided by the length of its projection onto the
-   slice, so that its dot product with an offset is the height above the tangent plane within the slice, exactly 0 on a
-   plane wherever texels lie. Most taps lie in the tangent plane or below it, so an arc is worked out only if a tap or
-   the last one rises. */
+/* ---- The walk along slices, which ssgi_walk_slice describes. The normal is divided by the length of its projection
+   onto the slice. Its dot product with an offset is then the height above the tangent plane within the slice, and it
+   is exactly 0 on a plane wherever texels lie. Most taps lie in the tangent plane or below it. So an arc is computed
+   only if this tap or the one before rises above that plane. */
 
 /* Returns a surfel's radius, view units [DSS14 section 3.1]. */
 { "ssgi_surfel_radius", NULL, __LINE__ + 1,
@@ -3399,63 +3404,64 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_span", NULL, __LINE__ + 1,
-    "float ssgi_span; // view units: slices fade out from half of this distance to its end\n" },
+    "float ssgi_span; // view units: slices count fully up to half of this distance, and not at its end\n" },
 
 { "ssgi_near", NULL, __LINE__ + 1,
-    "float ssgi_near(float away) { // returns how much slices count at distance away; surfels have the rest\n"
+    "float ssgi_near(float away) { // returns the weight of slices at a distance; surfels have the rest\n"
     "    return clamp(2.0 - 2.0 * away / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
-/* Occlusion of a slice's side from the tangent plane up to an elevation with cosine c is the integral of
-   sin x cos(g - x), where x is the angle from the view direction, g the signed angle from it to the projected normal:
-   cos g / 2 * (1 - c * c) + sin g / 2 * ssgi_arc_odd(c, c * c). */
+/* The occlusion by one side of a slice, from the tangent plane up to the elevation whose cosine is c, is the integral
+   of sin x cos(g - x). x is the angle from the view direction; g is the signed angle from the view direction to the
+   projected normal. The integral is cos g / 2 * (1 - c * c) + sin g / 2 * ssgi_arc_odd(c, c * c). */
 { "ssgi_arc_slope", NULL, __LINE__ + 1,
     "float ssgi_arc_slope(float squared) { // fits (pi / 2 - acos c + c sin acos c) / c\n"
     "    return 2.01098408 + squared * (-0.43954273 + squared * (0.21090284 - 0.21154786 * squared));\n"
     "}\n" },
 
 { "ssgi_arc_odd", NULL, __LINE__ + 1,
-    "// Returns acos c - c sin acos c of a cosine c, to 0.0015; squared is c * c. It is 0 at c = 1, and odd in c but\n"
-    "// for pi / 2.\n"
+    "// Returns acos c - c sin acos c of a cosine c, with an error of 0.0015 at most; squared is c * c. The result is\n"
+    "// 0 at c = 1. Less pi / 2 it is an odd function of c.\n"
     "float ssgi_arc_odd(float cosine, float squared) {\n"
     "    return 1.57079633 - cosine * ssgi_arc_slope(squared);\n"
     "}\n" },
 
 { "SSGI_LEVEL", NULL, __LINE__ + 1,
-    "const float SSGI_LEVEL = 0.004; // sines of elevation below this count as 0, as 10-bit normals round as much\n" },
+    "const float SSGI_LEVEL = 0.004; // lower sines of elevation count as 0: 10-bit normals are rounded by as much\n" },
 
 { "SSGI_OVER", NULL, __LINE__ + 1,
-    "const float SSGI_OVER = 0.4; // lower sines beyond the zenith count as 0, as rounding puts taps there\n" },
+    "const float SSGI_OVER = 0.4; // beyond the zenith lower sines count as 0: rounding alone puts taps there\n" },
 
 { "SSGI_ROUNDED", NULL, __LINE__ + 1,
-    "const float SSGI_ROUNDED = 0.005; // pixels: positions are rounded by less in pictures 8,000 pixels wide\n" },
+    "const float SSGI_ROUNDED = 0.005; // pixels: rounding moves positions by less in pictures of 8,000 pixels\n" },
 
 { "SSGI_JOINED", NULL, __LINE__ + 1,
-    "const float SSGI_JOINED = 4.0; // with thickness CONSTANT taps join up to this slope of depth\n" },
+    "const float SSGI_JOINED = 4.0; // thickness CONSTANT joins two taps if depth differs by fewer gaps than this\n" },
 
-/* It holds for environments: of .2 the bounce of ssdo has an error of .5418, of .35 of .5048 on 28 scenes by seed at
-   1280x720.
-   Of 0 (desc.light.one_sided) by .6614, of .35 by .5337 on 14, each of them; where a sun lights scenes they are equal.
-   Where a sun alone lights thin sheets their hidden sides are dark: there the bounce is up to 1.5 times too bright. */
+/* The value suits environments. With .2 the bounce of ssdo has an error of .5418 on 28 scenes by seed at 1280x720, and
+   with .35 of .5048. With 0 (desc.light.one_sided) the error is .6614 on 14 scenes, and with .35 it is .5337 and less
+   in each of them. If a sun lights these scenes, both errors are equal. If a sun alone lights thin sheets, their hidden
+   sides are dark, and the bounce is up to 1.5 times too bright there. */
 { "SSGI_UNSEEN", NULL, __LINE__ + 1,
     "const float SSGI_UNSEEN = 0.35; // an emitter's hidden side sends this share of its radiance: measured\n" },
 
 { "SSGI_SECOND", NULL, __LINE__ + 1,
-    "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface's light: measured\n" },
+    "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface's radiance: measured\n" },
 
-/* The bound is a share of the distance. A packed normal is rounded, and without this bound a receiver in an emitter's
-   own plane is lit by that rounding: single bright pixels appeared at thin walls. The bounce of ssdo with slabs, by one
-   slice of 16 samples, has an error of .5586 by .01, .5552 by .03, .5640 by .1, on 28 scenes by seed at 1280x720. */
+/* The bound is a share of the distance. A packed normal is rounded. Without this bound the rounding lights a receiver
+   that lies in the emitter's own plane: single bright pixels appeared at thin walls. The bounce of ssdo with slabs, of
+   one slice of 16 samples, has an error of .5586 with .01, .5552 with .03 and .5640 with .1, on 28 scenes by seed at
+   1280x720. */
 { "SSGI_EDGE_ON", NULL, __LINE__ + 1,
     "const float SSGI_EDGE_ON = 0.03; // an emitter whose plane passes a receiver this closely sends it nothing\n" },
 
-/* Of .04 hsao-best has an error of .3674, of .125 .3672, of .5 .3695 (scenes: SSGI_STEEP). */
+/* With .04 hsao-best has an error of .3674, with .125 of .3672, with .5 of .3695, on the scenes of SSGI_STEEP. */
 { "SSGI_APART", NULL, __LINE__ + 1,
-    "const float SSGI_APART = 0.125; // share of the last tap's distance in that of an arc that is not joined\n" },
+    "const float SSGI_APART = 0.125; // weight of the last tap's distance in that of an arc that is not joined\n" },
 
 { "ssgi_sectors", NULL, __LINE__ + 1,
-    "uint ssgi_sectors(float low, float high) { // returns a bit for each sector from low to high, 0..32\n"
-    "    // A shift by 32 is undefined. For 32 each term is 1 - 1, which is 2^32 in 32 bits.\n"
+    "uint ssgi_sectors(float low, float high) { // sets the bits of sectors low to high - 1; both are 0..32\n"
+    "    // A shift by 32 is undefined. For 32 a term is 1 - 1, and 2^32 is 0, too, in 32 bits.\n"
     "    uint first = uint(low);\n"
     "    uint last = uint(high);\n"
     "    return ((1u << (last & 31u)) - (last >> 5u)) - ((1u << (first & 31u)) - (first >> 5u));\n"
@@ -3475,7 +3481,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walked_origin", NULL, __LINE__ + 1,
-    "ivec2 ssgi_walked_origin() { // the picture begins here in the depth that slices read\n"
+    "ivec2 ssgi_walked_origin() { // first texel of the picture in the depth that slices read\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    return ssgi_measured_origin();\n"
     "#else\n"
@@ -3484,22 +3490,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_receiver", NULL, __LINE__ + 1,
-    "struct ssgi_receiver { // values that its slices share\n"
+    "struct ssgi_receiver { // values that all slices of a receiver share\n"
     "    vec3 P, normal, local_normal; // local_normal is the normal in the basis\n"
     "    mat3 basis; // z points to the eye\n"
     "#if !SSGI_ORTHOGRAPHIC\n"
-    "    vec2 unproject; // how many radii a pixel is wide at depth 1\n"
+    "    vec2 unproject; // width and height of a pixel at depth 1, in radii\n"
     "#else\n"
-    "    vec2 unproject; // how many radii a pixel is wide\n"
+    "    vec2 unproject; // width and height of a pixel, in radii\n"
     "#endif\n"
-    "    vec2 across, up; // how many pixels a radius along x and y of the basis is\n"
+    "    vec2 across, up; // one radius along x of the basis, and along y, in pixels\n"
     "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
-    "    float lift; // Taps count as so many radii lower, since the rounding of their depths may lift them.\n"
+    "    float lift; // radii by which taps are lowered, as rounding of their depths may lift them by as much\n"
     "#endif\n"
     "#if SSGI_LIFT\n"
-    "    float raised; // radii from the surface to the receiver\n"
+    "    float raised; // how far the receiver stands above its surface, in radii\n"
     "#endif\n"
-    "    float ray, rounded; // radii along the ray to P per view depth; the most radii that rounding moves a point\n"
+    "    float ray, rounded; // radii along P's ray per unit of view depth; how many radii rounding moves a point\n"
     "};\n" },
 
 { "ssgi_receiver_of", NULL, __LINE__ + 1,
@@ -3523,7 +3529,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_ORTHOGRAPHIC && SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
     "    float lost = 8e-8 * -P.z;\n"
     "#elif SSGI_ORTHOGRAPHIC\n"
-    "    float lost = 5e-8 * (abs(u_ssgi_decode.w) - P.z); // Floats count your depths from the eye on.\n"
+    "    float lost = 5e-8 * (abs(u_ssgi_decode.w) - P.z); // Your depths are floats, counted from your eye.\n"
     "#elif SSGI_MEASURED\n"
     "    float lost = SSGI_MEASURED_ROUNDS * -P.z;\n"
     "#endif\n"
@@ -3537,25 +3543,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return receiver;\n"
     "}\n" },
 
-/* Forms are linear, as that of ssgi_plane. For the point Q that pixel q sees at view depth z, the form of a vector v
-   gives dot(Q - P, v) = (dot(form.xy, q) + form.z) * z + form.w; without perspective dot(form.xy, q) + form.z * z +
-   form.w. */
+/* A form is a linear function of pixel and depth, as that of ssgi_plane is. Let Q be the point that pixel q shows at
+   view depth z. With perspective the form of a vector v gives dot(Q - P, v) = (dot(form.xy, q) + form.z) * z + form.w,
+   and without perspective dot(form.xy, q) + form.z * z + form.w. */
 { "ssgi_slice", NULL, __LINE__ + 1,
     "struct ssgi_slice { // lengths in radii\n"
     "    vec3 along; // spans the slice together with the view direction\n"
     "    vec4 place, height; // forms of a point's place along the tangent plane, and of its height within the slice\n"
-    "    // dot(xy, pixel) + z says how far a pixel is off the slice at the depth of P; w: height per unit off it.\n"
+    "    // dot(xy, pixel) + z: radii from the slice to a pixel at the depth of P; w: height of the tangent plane\n"
+    "    // for each radius off the slice.\n"
     "    vec4 deviation;\n"
-    "    vec2 half_normal; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
-    "    float measure; // the measure that both sides have alike; the tilt adds to one and takes from the other\n"
+    "    vec2 half_normal; // half of sin g and of cos g; g: angle of the projected normal from the view direction\n"
+    "    float measure; // mean of both sides' measures; the tilt g adds to one as much as it takes from the other\n"
     "    float width; // length of the normal's projection\n"
-    "    float rounded, least; // the most that rounding moves a point; least is added to squared distances\n"
+    "    float rounded, least; // how far rounding moves a point at most; least is added to squared distances\n"
     "    float thickness_unit; // view units: one step of the thickness that pass thickness wrote\n"
     "};\n" },
 
 { "ssgi_slice_of", NULL, __LINE__ + 1,
-    "// Returns the slice at a turn (cosine, sine) about the view direction. pixel is the receiver's pixel, counted\n"
-    "// as the pixels of taps are.\n"
+    "// Returns the slice at an angle about the view direction; turn is its cosine and sine. pixel is the receiver's,\n"
+    "// with the same origin as the texels of taps.\n"
     "ssgi_slice ssgi_slice_of(ssgi_receiver receiver, ivec2 pixel, vec2 turn) {\n"
     "    vec3 along = receiver.basis[0] * turn.x + receiver.basis[1] * turn.y;\n"
     "    vec3 across = receiver.basis[1] * turn.x - receiver.basis[0] * turn.y;\n"
@@ -3595,8 +3602,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    slice.height.w -= receiver.raised * per;\n"
     "#endif\n"
     "    slice.deviation.z = -dot(slice.deviation.xy, origin);\n"
-    "    // Rounding puts the receiver's own texel beside the receiver, in any direction. As ten times as much is\n"
-    "    // added to its distance, the sine of its elevation is 0.1 at most.\n"
+    "    // Rounding puts the receiver's own texel beside the receiver, in any direction. least adds ten times as\n"
+    "    // much to its distance, so that the sine of its elevation is 0.1 at most.\n"
     "    slice.rounded = receiver.rounded;\n"
     "    slice.least = 100.0 * receiver.rounded * receiver.rounded;\n"
     "    slice.thickness_unit = u_ssgi_radius / 63.0;\n"
@@ -3609,13 +3616,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // Half of cos g and of sin g, in sectors; base: half_cosine plus the noise that rounds sectors.\n"
     "    float half_cosine, half_sine, base;\n"
     "    float share; // share of the hemisphere that a sector has\n"
-    "    float edge; // share of the way at which the picture ends\n"
+    "    float edge; // share of the side's length at which the picture ends\n"
     "};\n" },
 
-/* A side reaches from the tangent plane to where c is -sin g. ssgi_slice.measure has the part of its measure that both
-   sides have alike: of the whole formula NVIDIA's compiler for GL (driver 580) loses a sign where way is -1. */
+/* A side reaches from the tangent plane to the view direction, at which c is -sin g. The part of its measure that does
+   not depend on way is computed beforehand, in ssgi_slice.measure. If way is -1, NVIDIA's compiler for GL (driver 580)
+   loses a sign of the whole formula. */
 { "ssgi_side_of", NULL, __LINE__ + 1,
-    "// way is 1 for the side toward slice.along, -1 for the other; noise rounds its sectors\n"
+    "// way is 1 for the side toward slice.along, and -1 for the other. noise, 0..1, decides how sectors are rounded.\n"
     "ssgi_side ssgi_side_of(ssgi_slice slice, float way, float noise, float edge) {\n"
     "    ssgi_side side;\n"
     "    float sine = way * slice.half_normal.x;\n"
@@ -3631,8 +3639,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_edges", NULL, __LINE__ + 1,
-    "// Returns the shares of the way along pixels, ahead of pixel and behind it, that lie in the picture: a little\n"
-    "// less, so that rounding reads no texel beyond.\n"
+    "// Returns which shares of a way that is `pixels` long lie in the picture, ahead of pixel and behind it. They\n"
+    "// are a little too small, so that no texel beyond the picture is read by rounding.\n"
     "vec2 ssgi_edges(ivec2 pixel, vec2 pixels) {\n"
     "    vec2 per = 1.0 / (pixels + 1e-9);\n"
     "    vec2 low = (vec2(pixel) + 0.499) * per;\n"
@@ -3643,8 +3651,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sector", NULL, __LINE__ + 1,
-    "// Returns the sector of an elevation by its cosine and the square of that: at most `most`, and 0 unless it is\n"
-    "// up.\n"
+    "// Returns the sector in which an elevation lies; squared is the square of its cosine. The result is at most\n"
+    "// `most`, and 0 unless up is true.\n"
     "float ssgi_sector(ssgi_side side, float cosine, float squared, bool up, float most) {\n"
     "    float sector = side.base - side.half_cosine * squared + side.half_sine * ssgi_arc_odd(cosine, squared);\n"
     "    return up ? clamp(sector, 0.0, most) : 0.0;\n"
@@ -3667,15 +3675,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 texel; // the texel of depth\n"
     "    vec2 forms; // the forms at that texel, which ssgi_on_ray takes\n"
     "    float z, distance, sine; // view depth; distance in radii; sine of the elevation, at least 0\n"
-    "    bool inside, seen; // the tap is in the picture; it is within the radius, too\n"
-    "    bool beyond, up; // it is past the zenith; it is seen and rises above the tangent plane\n"
+    "    bool inside, seen; // The tap is in the picture. It is also within the radius.\n"
+    "    bool beyond, up; // The tap is past the zenith. It is seen, and rises above the tangent plane.\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float width; // thickness of the surface, view units\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_ray_of", NULL, __LINE__ + 1,
-    "// Returns both forms at a pixel, without the view depth.\n"
+    "// Returns the forms of place and height at a pixel; ssgi_on_ray puts the view depth in.\n"
     "vec2 ssgi_ray_of(ssgi_slice slice, ssgi_side side, vec2 pixel) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return vec2(dot(side.place.xy, pixel) + side.place.w, dot(slice.height.xy, pixel) + slice.height.w);\n"
@@ -3685,7 +3693,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_on_ray", NULL, __LINE__ + 1,
-    "// Returns place and height at view depth z.\n"
+    "// Returns place and height of the point at view depth z. forms: the result of ssgi_ray_of.\n"
     "vec2 ssgi_on_ray(ssgi_slice slice, ssgi_side side, vec2 forms, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return forms + z * vec2(side.place.z, slice.height.z);\n"
@@ -3700,7 +3708,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tap_at", NULL, __LINE__ + 1,
-    "ssgi_tap ssgi_tap_at(ssgi_slice slice, ssgi_side side, vec2 place, float way) { // way is the share of the way\n"
+    "ssgi_tap ssgi_tap_at(ssgi_slice slice, ssgi_side side, vec2 place, float way) { // way: share of the side\n"
     "    ssgi_tap tap;\n"
     "    tap.texel = ivec2(place);\n"
     "#if SSGI_THICKNESS < SSGI_THICKNESS_WIDTH\n"
@@ -3713,8 +3721,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 pixel = vec2(tap.texel);\n"
     "    tap.forms = ssgi_ray_of(slice, side, pixel);\n"
     "    vec2 offset = ssgi_on_ray(slice, side, tap.forms, tap.z);\n"
-    "    // A texel is up to half a pixel off its slice. If distances left that out, slices that graze a plane\n"
-    "    // would darken it in dots.\n"
+    "    // A texel is up to half a pixel off its slice. If distances left that out, there would be dark dots on\n"
+    "    // planes that slices graze.\n"
     "    float off_slice = slice.deviation.x * pixel.x + (slice.deviation.y * pixel.y + slice.deviation.z);\n"
     "    float up = offset.y - slice.deviation.w * off_slice;\n"
     "    float squared = offset.x * offset.x + (up * up + (off_slice * off_slice + slice.least));\n"
@@ -3728,7 +3736,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cosine", NULL, __LINE__ + 1,
-    "float ssgi_cosine(float squared, bool beyond) { // returns the cosine of an elevation from its square\n"
+    "float ssgi_cosine(float squared, bool beyond) { // returns the cosine of an elevation; squared is its square\n"
     "    return beyond ? -sqrt(squared) : sqrt(squared);\n"
     "}\n" },
 
@@ -3738,7 +3746,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float distance; // distance of the last tap, in radii\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
     "    float low, high, z; // first and last sector, and view depth, of the last tap\n"
-    "    bool seen, rose; // whether the last tap was within the radius; whether it rose\n"
+    "    bool seen, rose; // members seen and up of the last tap\n"
     "#endif\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float end_; // the view depth at which the last tap's surface ends\n"
@@ -3780,16 +3788,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_add_elevation", "SSGI_ENVIRONMENT", __LINE__ + 1,
-    "// Adds `share` occluded sectors at an elevation, given as cosine and sine times any length.\n"
+    "// Adds `share` occluded sectors at an elevation, given as a vector (cosine, sine) of any length.\n"
     "void ssgi_add_elevation(inout ssgi_walked walked, vec2 elevation, float share) {\n"
     "    walked.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
     "}\n" },
 
 { "ssgi_add_occluded", "SSGI_ENVIRONMENT", __LINE__ + 1,
-    "// Adds the light that a side occludes; environment or harmonics are evaluated once, in the mean direction.\n"
+    "// Adds the light that a side occludes. Environment or harmonics are evaluated once, in the mean direction of\n"
+    "// the occluded sectors.\n"
     "void ssgi_add_occluded(inout ssgi_sums sums, ssgi_slice slice, vec3 V, ssgi_walked walked, float way,\n"
     "    float share) {\n"
-    "    // Its x is along the tangent plane, its y up.\n"
+    "    // x is along the tangent plane; y is the height above it.\n"
     "    vec2 elevation = vec2(way * walked.toward.x, walked.toward.y);\n"
     "    vec2 tilt = 2.0 * slice.half_normal;\n"
     "    vec3 direction = slice.along * dot(elevation, tilt.yx) + V * (elevation.y * tilt.y - elevation.x * tilt.x);\n"
@@ -3803,8 +3812,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_add_sent", "SSGI_BOUNCE", __LINE__ + 1,
-    "// Adds the light that the surface at a pixel, at an offset from the receiver, and the second slab behind it\n"
-    "// send, by their shares. Edge-on, within the rounding of its normal, a surface sends nothing.\n"
+    "// Adds the light that the surface at a pixel and the second slab behind it send, each times the share that it\n"
+    "// occludes. offset leads from the receiver to the surface. A surface that is seen edge-on, within the rounding\n"
+    "// of its normal, sends nothing.\n"
     "void ssgi_add_sent(inout ssgi_sums sums, ivec2 pixel, vec3 offset, float share, float second) {\n"
     "    uvec2 texel = texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 normal = ssgi_unpack_normal(texel.y);\n"
@@ -3830,7 +3840,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gap", NULL, __LINE__ + 1,
-    "struct ssgi_gap { // The greater is the gap between taps. Both are kept, as GPUs have a maximum of three.\n"
+    "struct ssgi_gap { // The larger is the gap between taps. Both are kept, as GPUs have a maximum of three values.\n"
     "    float last, first; // view units: from the last tap to this one; from the receiver to the first tap\n"
     "};\n" },
 
@@ -3840,7 +3850,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cover", "SSGI_THICKNESS == SSGI_THICKNESS_SOLID", __LINE__ + 1,
-    "// Covers the sectors that a tap occludes; returns how many were free, attenuated.\n"
+    "// Covers the sectors that a tap occludes. Returns how many of them were free, attenuated.\n"
     "float ssgi_cover(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap, ssgi_gap gap) {\n"
     "    float fresh = 0.0;\n"
     "    if (tap.up) {\n"
@@ -3861,7 +3871,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cover", "SSGI_THICKNESS != SSGI_THICKNESS_SOLID", __LINE__ + 1,
-    "// Covers the sectors that a tap occludes; returns how many were free, attenuated.\n"
+    "// Covers the sectors that a tap occludes. Returns how many of them were free, attenuated.\n"
     "float ssgi_cover(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap, ssgi_gap gap) {\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float end_ = tap.z + tap.width + 0.5 * ssgi_between(gap);\n"
@@ -3877,7 +3887,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    radii = 0.5 * (radii + min(radii, sqrt(back_squared)));\n"
     "#endif\n"
-    "    if (tap.up || (walked.rose && tap.seen)) { // Else neither this tap rises nor did the last one.\n"
+    "    if (tap.up || (walked.rose && tap.seen)) { // Otherwise neither this tap rises nor the last.\n"
     "        float squared = 1.0 - tap.sine * tap.sine;\n"
     "        float cosine = ssgi_cosine(squared, tap.beyond);\n"
     "        back *= inversesqrt(back_squared);\n"
@@ -3886,11 +3896,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
     "        float apart = abs(tap.z - walked.z) / SSGI_JOINED;\n"
     "#elif SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "        float apart = max(tap.z - walked.end_, walked.z - end_); // Below 0 their depths overlap.\n"
+    "        float apart = max(tap.z - walked.end_, walked.z - end_); // below 0 if their depths overlap\n"
     "#endif\n"
     "        bool joined = apart < ssgi_between(gap) && tap.seen && walked.seen;\n"
     "        uint arc = ssgi_sectors(joined ? min(low, walked.low) : low, joined ? max(high, walked.high) : high);\n"
-    "        // The distance of a joined arc is halfway to the last tap.\n"
+    "        // The distance of a joined arc is the mean of this tap's and the last tap's.\n"
     "        float part = joined ? 0.5 : SSGI_APART;\n"
     "        fresh = ssgi_cover_sectors(walked.left, arc, mix(min(radii, 2.0), min(walked.distance, 1.0), part));\n"
     "        walked.share += fresh;\n"
@@ -3916,7 +3926,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cover_second", "SSGI_THICKNESS == SSGI_THICKNESS_SLABS", __LINE__ + 1,
-    "// Covers the sectors that the second slab behind a tap occludes; returns how many were free, attenuated.\n"
+    "// Covers the sectors that the second slab behind a tap occludes. Returns how many were free, attenuated.\n"
     "float ssgi_cover_second(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap,\n"
     "    ssgi_gap gap) {\n"
     "    vec3 slab = ssgi_slabs(tap.texel);\n"
@@ -3945,7 +3955,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_step", NULL, __LINE__ + 1,
-    "// Takes one step of a side: its tap occludes sectors, and sends light from them.\n"
+    "// Takes one sample of a side: the tap occludes sectors, and its surface sends light from them.\n"
     "void ssgi_step(inout ssgi_sums sums, ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap,\n"
     "    ssgi_gap gap,\n"
     "    vec3 P) {\n"
@@ -3965,21 +3975,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Samples miss occluders: SSGI_MISSED.x / samples - SSGI_MISSED.y of the free sectors count as occluded for each
-   occluded one. Taps see no occluders beyond the picture: SSGI_BEYOND.x of the free sectors count as occluded for each
-   occluded one, SSGI_BEYOND.y at most, times the square of the share of the way beyond. The four numbers are fitted to
-   the truth of 28 scenes by seed at 1280x720 and were judged on 28 others: the change that brought them took the
-   error of hsao on all 56 from .406 to .396. */
+/* Samples miss occluders. So for each occluded sector a share of the free sectors counts as occluded, too, which is
+   SSGI_MISSED.x / samples - SSGI_MISSED.y. Occluders beyond the picture have no taps. So for each occluded sector the
+   share SSGI_BEYOND.x of the free sectors counts as occluded, in all SSGI_BEYOND.y at most, times the square of the
+   share of the side's length that lies beyond the picture. The four numbers are fitted to the ground truth of 28 scenes
+   by seed at 1280x720, and were judged on 28 others: they took the error of hsao on all 56 from .406 to .396. */
 { "SSGI_MISSED", NULL, __LINE__ + 1,
-    "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // With 34 samples none is missed.\n" },
+    "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // From 34 samples on the share is 0.\n" },
 
 { "SSGI_BEYOND", NULL, __LINE__ + 1,
-    "const vec2 SSGI_BEYOND = vec2(0.05, 0.4); // occluded shares beyond the picture: per found one; the most\n" },
+    "const vec2 SSGI_BEYOND = vec2(0.05, 0.4); // shares of the free sectors: for each occluded sector; at most\n" },
 
-/* To leave directions that samples miss open has a larger error. Where no sector is occluded nothing is expected, so
-   that planes stay open. Expected occluders send light as the found ones do. */
+/* If all directions that samples miss counted as open, the error would be larger. If no sector is occluded, no occluder
+   is expected, so that planes stay open. Expected occluders send the mean light of the occluders that were found. */
 { "ssgi_expect", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
-    "// Adds occlusion that a side missed.\n"
+    "// Adds the occlusion by occluders that the samples of a side are expected to have missed.\n"
     "void ssgi_expect(inout ssgi_sums sums, ssgi_side side, inout ssgi_walked walked) {\n"
     "    float missed = max(SSGI_MISSED.x / float(SSGI_SAMPLES) - SSGI_MISSED.y, 0.0);\n"
     "    float beyond = max(1.0 - side.edge, 0.0);\n"
@@ -4007,14 +4017,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Walks both sides of a slice, a plane through the view direction, from near to far [TLG23]. A side has 32\n"
     "// sectors of equal cosine-weighted measure. The surface of a tap occludes the sectors that this tap is the\n"
     "// first to cover, weighted by its distance; it is as thick as desc.gather.thickness says. Taps of one surface\n"
-    "// join: they also cover the sectors between them, at their mean distance. pixels: how many a radius along the\n"
-    "// slice covers in x and y.\n"
+    "// join: they also cover the sectors between them, at their mean distance. pixels: one radius along the slice,\n"
+    "// in pixels in x and y.\n"
     "void ssgi_walk_slice(ssgi_slice slice, vec3 P, ivec2 pixel, vec2 pixels, vec2 random, vec2 noise,\n"
     "    inout ssgi_sums sums) {\n"
     "    float unit = 1.0 / float(SSGI_SAMPLES);\n"
     "    float reach = u_ssgi_radius;\n"
     "#if SSGI_SPAN\n"
-    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // Slices look through this share of the radius.\n"
+    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // Slices reach to this share of the radius.\n"
     "    pixels *= share;\n"
     "    reach *= share;\n"
     "#endif\n"
@@ -4022,7 +4032,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 start = vec2(pixel + ssgi_walked_origin()) + 0.5;\n"
     "    ssgi_side ahead = ssgi_side_of(slice, 1.0, noise.x, edges.x);\n"
     "    ssgi_side behind = ssgi_side_of(slice, -1.0, noise.y, edges.y);\n"
-    "    // Taps stand at the squares of even steps, so that the gaps between them grow evenly.\n"
+    "    // Distances of taps are squares of evenly spaced numbers, so that the gaps between taps grow evenly.\n"
     "    vec2 root = vec2(random.y, 1.0 - random.y) * unit;\n"
     "    vec2 first = root * root * reach;\n"
     "    float grows = 2.0 * reach * unit;\n"
@@ -4033,7 +4043,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 way = root * root;\n"
     "        vec2 last = root * grows - less;\n"
     "        ssgi_tap tap_ahead = ssgi_tap_at(slice, ahead, start + pixels * way.x, way.x);\n"
-    "        // The GPU then waits for both at once.\n"
+    "        // Both taps are fetched before either is used, so that the GPU waits for both at once.\n"
     "        ssgi_tap tap_behind = ssgi_tap_at(slice, behind, start - pixels * way.y, way.y);\n"
     "        ssgi_step(sums, slice, ahead, walked_ahead, tap_ahead, ssgi_gap(last.x, first.x), P);\n"
     "        ssgi_step(sums, slice, behind, walked_behind, tap_behind, ssgi_gap(last.y, first.y), P);\n"
@@ -4062,7 +4072,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_SLICES; ++i) {\n"
     "        float phi = SSGI_PI * (float(i) + random.x) / float(SSGI_SLICES);\n"
     "#if SSGI_ENVIRONMENT\n"
-    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal); // It is made anew, which keeps registers free.\n"
+    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal); // computed for each slice: fewer registers\n"
     "#endif\n"
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
     "        // The noise that rounds the sectors must not correlate with the turn or the offset.\n"
@@ -4090,14 +4100,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- the output of a gather */
 
 { "ssgi_transfer", NULL, __LINE__ + 1,
-    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // The dot product with light is irradiance [S3HO12 eq. 2].\n"
+    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // Its dot product with light is irradiance [S3HO12 eq. 2].\n"
     "#if !(SSGI_PASS == SSGI_PASS_S3HO && SSGI_BOUNCE)\n"
     "    ssgi_coefficients coefficients = ssgi_coefficients_none();\n"
     "#else\n"
     "    ssgi_coefficients coefficients = sums.bounce;\n"
     "#endif\n"
     "#if SSGI_TRANSFER == SSGI_TRANSFER_BOTH && SSGI_BANDS == 1\n"
-    "    // One band leaves lane y free, which keeps the reflected part, as that gets no residual.\n"
+    "    // With one band lane y is unused. It keeps the reflected part apart, as that part gets no residual.\n"
     "    for (int channel = 0; channel < 3; ++channel)\n"
     "        coefficients.channel[channel].word0.y = coefficients.channel[channel].word0.x;\n"
     "#endif\n"
@@ -4214,10 +4224,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_fetch", NULL, __LINE__ + 1,
-    "// Writes the field's components along direction, in [0,1], bilinear with the border; layer holds\n"
-    "// resolution and slice.\n"
+    "// Writes the field's eight components along direction, each in [0,1]. They are interpolated bilinearly, at the\n"
+    "// edges of a face with its border of one texel. layer: the field's resolution, and its layer of the texture.\n"
     "void ssgi_field_fetch(vec3 direction, vec2 layer, out vec4 first, out vec4 second) {\n"
-    "    vec3 lengths = abs(direction); // square.z: face\n"
+    "    vec3 lengths = abs(direction); // square.z, below, is the number of the cube's face.\n"
     "    vec3 square = vec3(vec2(direction.z < 0.0 ? -direction.x : direction.x, -direction.y) / lengths.z,\n"
     "        direction.z < 0.0 ? 5.0 : 4.0);\n"
     "    if (lengths.x >= lengths.y && lengths.x >= lengths.z)\n"
@@ -4241,8 +4251,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 eq. 3] */
 { "ssgi_cap", NULL, __LINE__ + 1,
-    "// Returns the cosine-weighted occlusion, 0..1, of a spherical cap, at most a hemisphere. edge is the cosine of\n"
-    "// its radius, sine_squared the square of the sine, cosine the cosine between its axis and the normal.\n"
+    "// Returns the cosine-weighted occlusion, 0..1, by a spherical cap, at most a hemisphere. edge is the cosine of\n"
+    "// its angular radius, sine_squared the squared sine. cosine is that between its axis and the normal.\n"
     "float ssgi_cap(float edge, float sine_squared, float cosine) {\n"
     "    if (cosine * cosine >= sine_squared) return sine_squared * max(cosine, 0.0);\n"
     "    float x = edge * inversesqrt(sine_squared);\n"
@@ -4252,8 +4262,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 section 4.2] */
 { "ssgi_cap_table", NULL, __LINE__ + 1,
-    "// Returns a cap's occlusion from your table, bilinear between texels' centres; solid_angle is its solid angle\n"
-    "// over 2 pi.\n"
+    "// Returns a cap's occlusion from your table, interpolated bilinearly between the centres of texels. solid_angle\n"
+    "// is the cap's solid angle over 2 pi.\n"
     "float ssgi_cap_table(float solid_angle, float cosine) {\n"
     "    ivec2 last = textureSize(t_ssgi_cap, 0) - 1;\n"
     "    vec2 place = clamp(vec2(solid_angle, cosine + 1.0) * 0.5, 0.0, 1.0) * vec2(last);\n"
@@ -4267,7 +4277,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_at", NULL, __LINE__ + 1,
-    "// Returns P in the occluder's space: its unit direction from the centre, and its distance.\n"
+    "// Returns where P lies in the occluder's space: the unit direction from the centre, and the distance.\n"
     "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder has ssgi_gl_occluder's members from to_field on\n"
     "    vec4 homogeneous = vec4(P, 1.0);\n"
     "    vec3 direction = vec3(dot(occluder[0], homogeneous), dot(occluder[1], homogeneous),\n"
@@ -4278,7 +4288,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 algorithm 1] */
 { "ssgi_field_occlusion", NULL, __LINE__ + 1,
-    "// Returns the occlusion, in [0,1], of a surface with unit normal, whose place in the field is `place`.\n"
+    "// Returns the occlusion, in [0,1], of a surface with unit normal. place is the result of ssgi_field_at.\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 place, vec3 normal) {\n"
     "    vec4 first, second;\n"
     "    ssgi_field_fetch(place.xyz, occluder[8].xy, first, second);\n"
@@ -4286,7 +4296,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    second = occluder[5] + occluder[7] * second;\n"
     "    float hull = first.w;\n"
     "    float away = max(place.w, hull);\n"
-    "    // The hull may be as far out.\n"
+    "    // The hull may lie as far out as the field's end, so that 0/0 must be avoided.\n"
     "    float share = away > hull ? min((away - hull) / (occluder[8].z - hull), 1.0) : 0.0;\n"
     "    first.xyz = exp2(first.xyz);\n"
     "    first.y -= sqrt(first.x * first.z); // spread is quadratic in away: Bernstein form from the hull to the end\n"
@@ -4296,8 +4306,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    normal = normalize(vec3(dot(occluder[0].xyz, normal), dot(occluder[1].xyz, normal),\n"
     "        dot(occluder[2].xyz, normal)));\n"
     "    float cosine = dot(axis, normal);\n"
-    "    // sine_squared is 1 / (pi spread), the vector irradiance over pi of a cap of which the occluder covers the\n"
-    "    // share fill.\n"
+    "    // 1 / (pi spread) is the vector irradiance over pi that the occluder takes. It covers only the share fill\n"
+    "    // of its cap, so that the cap itself is larger.\n"
     "    float sine_squared = 0.318309886 / max(spread, 0.318309886);\n"
     "    float fill = max(second.w, sine_squared);\n"
     "    sine_squared /= fill;\n"
@@ -4311,7 +4321,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_visibility", NULL, __LINE__ + 1,
-    "// Returns the ambient visibility that all occluders leave, but for those of the object itself.\n"
+    "// Returns the ambient visibility under all occluders except those of the object itself.\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 normal) {\n"
     "    float visibility = 1.0;\n"
     "    int rows = min(occluders, textureSize(t_ssgi_occluders, 0).y);\n"
@@ -4341,7 +4351,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uint object = texelFetch(t_ssgi_objects, pixel + u_ssgi_origin, 0).x;\n"
     "#endif\n"
     "#if SSGI_OBJECTS\n"
-    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // The occluder is the object itself.\n"
+    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // No object occludes itself.\n"
     "#endif\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, place, ssgi_normal(pixel, P));\n"
     "}\n" },
@@ -4350,7 +4360,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_patch", NULL, __LINE__ + 1,
     "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
-    "out vec2 v_ssgi_part; // which part of splits * splits; which vertex of the mesh, in 24 bits\n"
+    "out vec2 v_ssgi_part; // number of the part, of splits * splits; number of the mesh's vertex, in 24 bits\n"
     "void main() {\n"
     "    mat3 to_view = mat3(u_ssgi_mesh);\n"
     "    vec3 x = cross(to_view[1], to_view[2]);\n"
@@ -4362,13 +4372,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tess_count", NULL, __LINE__ + 1,
-    "int ssgi_tess_count(int level) {\n"
+    "int ssgi_tess_count(int level) { // returns how many points the tessellator makes of a triangle\n"
     "    int half_ = (level + 1) / 2;\n"
     "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n"
     "}\n" },
 
 { "ssgi_part_corner", NULL, __LINE__ + 1,
-    "// Returns barycentric weights of a corner of part i of rows * rows.\n"
+    "// Returns the barycentric weights of a corner of part i of a triangle, which has rows * rows parts.\n"
     "vec3 ssgi_part_corner(int i, int rows, int corner) {\n"
     "    int row = int(sqrt(float(i) + 0.5));\n"
     "    int place = i - row * row;\n"
@@ -4400,7 +4410,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_WHOLE = 1e-5; // a count that is so little above a whole number is rounded down\n" },
 
 { "ssgi_parts", NULL, __LINE__ + 1,
-    "// Returns how many parts of each edge a triangle needs, 1 if level 64 suffices; z: its corners' view depths.\n"
+    "// Returns into how many parts the edges of a triangle are divided, so that level 64 has enough points for each\n"
+    "// part. z: view depths of its corners.\n"
     "int ssgi_parts(vec3 z, float area) {\n"
     "    float low = min(z.x, min(z.y, z.z));\n"
     "    float high = max(z.x, max(z.y, z.z));\n"
@@ -4412,12 +4423,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tess_level", NULL, __LINE__ + 1,
-    "int ssgi_tess_level(float discs) { // returns the least level, 1..64, that has so many surfels\n"
+    "int ssgi_tess_level(float discs) { // returns the lowest level, 1..64, that makes so many surfels\n"
     "    return discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - SSGI_WHOLE), 64.0)) : 1;\n"
     "}\n" },
 
 { "ssgi_alive", NULL, __LINE__ + 1,
-    "// The three surfels of a small triangle are thinned out by chance; a bit each says which stay.\n"
+    "// Thins out the three surfels of a small triangle by chance. Returns a bit for each that stays.\n"
     "int ssgi_alive(uint key, float share) {\n"
     "    int alive = 0;\n"
     "    for (int i = 0; i < 3; ++i)\n"
@@ -4426,7 +4437,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_INCENTRE", __LINE__ + 1,
-    "// A corner is scaled about the centre of the inscribed circle, by 1/4 at least, so that discs end at the edges.\n"
+    "// Scales a corner about the centre of the inscribed circle, by 1/4 at least, so that discs end at the edges.\n"
     "vec3 ssgi_inset(vec3 corners[3], int corner, float radius, float area) {\n"
     "    vec3 edge = vec3(length(corners[2] - corners[1]), length(corners[0] - corners[2]),\n"
     "        length(corners[1] - corners[0]));\n"
@@ -4437,7 +4448,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_CENTROID", __LINE__ + 1,
-    "// A corner is moved by radius toward the centroid, by 0.9 of the way at most.\n"
+    "// Moves a corner by radius toward the centroid, but by 0.9 of the way at most.\n"
     "vec3 ssgi_inset(vec3 corners[3], int corner, float radius, float area) {\n"
     "    vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;\n"
     "    vec3 way = corners[corner] - centre;\n"
@@ -4449,7 +4460,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
     "in vec2 v_ssgi_part[];\n"
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
-    "patch out vec4 v_ssgi_patch; // radius, level, key: upper half under the bits of alive, lower half\n"
+    "patch out vec4 v_ssgi_patch; // radius; level; bits of alive above the key's upper half; key's lower half\n"
     "void main() {\n"
     "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z);\n"
     "    vec3 corners[3];\n"
@@ -4480,7 +4491,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int alive = ssgi_alive(key, share);\n"
     "    int level = ssgi_tess_level(discs);\n"
     "    empty = empty || aside - extent > u_ssgi_radius || alive == 0;\n"
-    "    // The discs have the triangle's area.\n"
+    "    // All discs together have the triangle's area.\n"
     "    radius = sqrt(area / (SSGI_PI * share * float(ssgi_tess_count(level))));\n"
     "    vec3 weights = ssgi_part_corner(part, rows, gl_InvocationID);\n"
     "    v_ssgi_corner[gl_InvocationID] = ssgi_inset(corners, gl_InvocationID, radius, area);\n"
@@ -4500,7 +4511,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_hash", NULL, __LINE__ + 1,
-    "uint ssgi_hash(uint x) { // returns the output of a step of PCG\n"
+    "uint ssgi_hash(uint x) { // returns a pseudorandom number: one step of PCG\n"
     "    return ssgi_scramble(x * 747796405u + 2891336453u);\n"
     "}\n" },
 
@@ -4533,13 +4544,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 normal = v_ssgi_facing[0] * weights.x + v_ssgi_facing[1] * weights.y + v_ssgi_facing[2] * weights.z;\n"
     "    vec3 colour = v_ssgi_tint[0] * weights.x + v_ssgi_tint[1] * weights.y + v_ssgi_tint[2] * weights.z;\n"
     "    normal = dot(normal, normal) > 0.0 ? normalize(normal) : flat_ * sign(determinant(mat3(u_ssgi_mesh)));\n"
-    "    // The number of this point in the tessellator's rings is the same on every machine.\n"
+    "    // The hash is of this point's place in the tessellator's rings, which is the same on every machine.\n"
     "    float ring = floor(min(weights.x, min(weights.y, weights.z)) * 1.5 * v_ssgi_patch.y + 0.5);\n"
     "    uvec3 place = uvec3(max(weights * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
     "    uint hash = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
     "    hash = ssgi_hash(hash + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
-    "    v_ssgi_surfel0 = vec4(ssgi_to_yours(P), kept ? v_ssgi_patch.x : 0.0); // Of radius 0 it affects nothing.\n"
+    "    v_ssgi_surfel0 = vec4(ssgi_to_yours(P), kept ? v_ssgi_patch.x : 0.0); // Radius 0 has no effect.\n"
     "    v_ssgi_surfel1 = vec4(normal, float(hash >> 8) / 16777216.0);\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, normal, colour), 0.0);\n"
     "}\n" },
@@ -4556,14 +4567,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void main() {} // Nothing is drawn, but GLES requires a fragment stage.\n" },
 
 { "ssgi_interleave", NULL, __LINE__ + 1,
-    "// Returns a block's hash: exclusive or turns a pixel's place in the block into its sub-buffer, and back.\n"
+    "// Returns a block's hash. Exclusive or with it turns a pixel's place in the block into the number of its\n"
+    "// sub-buffer, and that number into the place.\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint hash = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
     "    return ivec2(int(hash & 255u), int((hash >> 8) & 255u)) & mask;\n"
     "}\n" },
 
 { "ssgi_shift", NULL, __LINE__ + 1,
-    "int ssgi_shift() { // One pixel in 2 to this power is dealt out, each way.\n"
+    "int ssgi_shift() { // In x and in y one pixel in 2 to this power is dealt out to sub-buffers.\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return 2;\n"
     "#elif SSGI_RESOLUTION\n"
@@ -4579,7 +4591,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_level", NULL, __LINE__ + 1,
-    "ivec2 ssgi_level() { // size of one level\n"
+    "ivec2 ssgi_level() { // size of one level: its sub-buffers side by side\n"
     "    int last = (1 << (SSGI_LEVELS - 1)) - 1;\n"
     "    return (ssgi_dealt() + last) & ~last;\n"
     "}\n" },
@@ -4599,7 +4611,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 block = texel - sub * across;\n"
     "    ivec2 pixel = ssgi_gathered((block << level) | ((sub ^ ssgi_interleave(block, mask)) & mask));\n"
     "    o_ssgi_interleaved = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
-    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(pixel)) return; // the size need not be a multiple\n"
+    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(pixel)) return; // blocks may end outside the picture\n"
     "    float z = ssgi_depth(pixel);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
@@ -4627,23 +4639,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Writes a surfel's shell at level l, and returns a corner of its rectangle in the sub-buffer that turned.w picks
-   [DSS14 3.2]. */
+/* Writes a surfel's shell at a level, and returns a corner of its rectangle in the sub-buffer that turned.w picks
+   [DSS14 3.2]. If the surfel affects nothing at this level, all corners are equal. */
 { "ssgi_shell", NULL, __LINE__ + 1,
-    "// position, squared radius; normal, weight; radiance, square of the distance from which on the level counts\n"
+    "// position, squared radius; normal, weight; radiance, square of the distance at which the level begins\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat out float v_ssgi_end; // square of the distance at which the level ends\n"
     "#if SSGI_SPAN\n"
     "flat out float v_ssgi_seen; // 1: slices can see the surfel\n"
     "#endif\n"
-    "vec2 ssgi_shell(vec4 disc, vec4 turned, vec3 sent, int level, vec2 corner) { // in texels; empty: all are one\n"
+    "vec2 ssgi_shell(vec4 disc, vec4 turned, vec3 sent, int level, vec2 corner) { // in texels\n"
     "    disc.xyz = ssgi_from_yours(disc.xyz);\n"
     "#if SSGI_SPAN\n"
     "    ivec2 pixel = ivec2(floor(ssgi_project(disc.xyz)));\n"
     "    v_ssgi_seen = float(disc.z < 0.0 && ssgi_inside(pixel) && abs(ssgi_depth(pixel) + disc.z) < 2.0 * disc.w);\n"
     "#endif\n"
     "#if SSGI_SPAN && SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
-    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0) // it has the visible surface's light\n"
+    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0) // its surface is lit on the screen\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "#if SSGI_EFFECT < SSGI_EFFECT_BOUNCE\n"
@@ -4663,7 +4675,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float inner = level > 0 ? reach * 0.5 * block : -1.0;\n"
     "    float outer = min(reach * block, u_ssgi_radius);\n"
     "    if (!(outer > max(inner, 0.0))) return vec2(0.0);\n"
-    "    vec3 normal = turned.xyz; // Nothing behind the surfel receives.\n"
+    "    vec3 normal = turned.xyz; // Surfaces behind the surfel receive nothing.\n"
     "#if SSGI_TWO_SIDED || SSGI_EFFECT > SSGI_EFFECT_SPECULAR\n"
     "    normal = vec3(0.0);\n"
     "#endif\n"
@@ -4676,12 +4688,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    texel += vec2(sub * ((ssgi_dealt() + mask) >> level) + ivec2(0, level * ssgi_level().y));\n"
     "#if SSGI_ENLARGE\n"
-    "    // Of block * block surfels a pixel meets one, which stands for all of them.\n"
+    "    // A pixel meets one of block * block surfels, which stands for all of them.\n"
     "    v_ssgi_at = vec4(disc.xyz, disc.w * disc.w * block * block);\n"
     "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
     "#else\n"
     "    v_ssgi_at = vec4(disc.xyz, disc.w * disc.w);\n"
-    "    v_ssgi_turned = vec4(turned.xyz, block * block); // of block * block surfels a pixel meets one\n"
+    "    v_ssgi_turned = vec4(turned.xyz, block * block); // A pixel meets one of block * block surfels.\n"
     "#endif\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
@@ -4698,10 +4710,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_strip", NULL, __LINE__ + 1,
     "layout(points) in;\n"
-    "layout(triangle_strip, max_vertices = 28) out; // Each level has 4.\n"
+    "layout(triangle_strip, max_vertices = 28) out; // 4 for each level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
     "void main() {\n"
-    "    for (int i = 0; i < SSGI_LEVELS * 4; ++i) { // anew, as EmitVertex() leaves outputs undefined\n"
+    "    for (int i = 0; i < SSGI_LEVELS * 4; ++i) { // EmitVertex() leaves outputs undefined, so write all.\n"
     "        vec2 texel = ssgi_quad(i % 4);\n"
     "        texel = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, i / 4, texel);\n"
     "        gl_Position = ssgi_clip(texel, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
@@ -4713,7 +4725,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_gloss", NULL, __LINE__ + 1,
     "float ssgi_gloss; // sum of discs' form factors with the specular lobe instead of the cosine\n" },
 
-/* Returns one disc's part of ssgi_form; adds that of ssgi_gloss. */
+/* Returns one disc's part of ssgi_form, and adds its part to ssgi_gloss. */
 { "ssgi_disc", NULL, __LINE__ + 1,
     "float ssgi_disc(vec3 offset, vec3 normal, float radius_squared) {\n"
     "    float squared = max(dot(offset, offset), 1e-30);\n"
@@ -4726,11 +4738,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_form", NULL, __LINE__ + 1,
-    "// Returns the form factor of a disc with normal facing, whose centre is at offset, but for its area/pi, weight,\n"
-    "// cosine.\n"
+    "// Returns the form factor of a disc, without the factors area/pi, weight and cosine at the disc. offset leads\n"
+    "// to its centre; facing is its normal.\n"
     "float ssgi_form(vec3 offset, vec3 normal, vec3 facing, float radius_squared) {\n"
     "#if SSGI_NEAR_SAMPLES > 1\n"
-    "    // Near by, the disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
+    "    // A near disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
     "    // centre does not.\n"
     "    if (dot(offset, offset) < 16.0 * radius_squared) {\n"
     "        vec3 along = normalize(abs(facing.z) < 0.7 ? vec3(facing.y, -facing.x, 0.0)\n"
@@ -4754,7 +4766,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_effect", NULL, __LINE__ + 1,
-    "// Returns a surfel's contribution; w: form factor.\n"
+    "// Returns a surfel's light; w: its form factor.\n"
     "vec4 ssgi_effect(vec3 sent, vec3 direction, float form, float area) {\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_LIGHT\n"
     "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * direction), 1.0);\n"
@@ -4784,7 +4796,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_TWO_SIDED\n"
     "    away = abs(away);\n"
     "#else\n"
-    "    if (!(away > 0.0)) discard; // Else a closed mesh's back would count, too.\n"
+    "    if (!(away > 0.0)) discard; // Otherwise the back of a closed mesh would count, too.\n"
     "#endif\n"
     "#if SSGI_SPAN\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z);\n"
@@ -4816,7 +4828,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 offset = v_ssgi_at.xyz - P;\n"
     "    float squared = dot(offset, offset);\n"
     "    if (!(squared > v_ssgi_sent.w && squared <= v_ssgi_end)) discard;\n"
-    "    // Surfels that are wider than their sources are deep would show as dots, which deeper sources blur.\n"
+    "    // Surfels wider than the depth of the dipole's sources would show as dots. Deeper sources blur these.\n"
     "    vec3 transport = u_ssgi_dipole[2].xyz;\n"
     "    vec3 deeper = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
     "    vec3 y = u_ssgi_dipole[0].xyz + deeper;\n"
@@ -4830,7 +4842,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" },
 
-/* ssgi_custom_effect is yours. */
+/* You write ssgi_custom_effect. */
 { "main_splat_custom", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
@@ -4893,13 +4905,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_saturate_form", "SSGI_COMBINE == SSGI_COMBINE_SHARE", __LINE__ + 1,
-    "// Nobody knows which surfels hide which, so each hides its share of the directions that the others leave.\n"
+    "// It is not known which surfels hide which. So each hides its share of the directions that others leave open.\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
     "}\n" },
 
 { "ssgi_saturate_form", "SSGI_COMBINE == SSGI_COMBINE_ADD", __LINE__ + 1,
-    "// Nobody knows which surfels hide which, so form factors add up, to 1 at most.\n"
+    "// It is not known which surfels hide which. So their form factors are added, up to 1.\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return 1.0 / max(form, 1.0);\n"
     "}\n" },
