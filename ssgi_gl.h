@@ -4655,7 +4655,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_seen = float(disc.z < 0.0 && ssgi_inside(pixel) && abs(ssgi_depth(pixel) + disc.z) < 2.0 * disc.w);\n"
     "#endif\n"
     "#if SSGI_SPAN && SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
-    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0) // its surface is lit on the screen\n"
+    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0) // take its light from the screen\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "#if SSGI_EFFECT < SSGI_EFFECT_BOUNCE\n"
@@ -4978,20 +4978,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- blur takes the mean of a pixel's neighbours on its surface; from half size, that of the texels around it. */
+/* ---- blur takes the mean of a pixel's neighbours on its surface. Below full resolution the neighbours are the
+   gathered texels around the pixel. */
 
 { "ssgi_blurred", NULL, __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
     "    vec3 P, normal;\n"
     "#if SSGI_FILTER == SSGI_FILTER_BILATERAL\n"
-    "    vec4 plane; // A unit of height is SSGI_OFF radii and a pixel.\n"
+    "    vec4 plane; // gives heights above the surface, in units of SSGI_OFF radii and a pixel's footprint\n"
     "#endif\n"
     "    float z, footprint;\n"
     "#if !SSGI_RESOLUTION && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
     "    vec4 now; // the pixel's own texel\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    float frames; // how many are averaged\n"
+    "    float frames; // how many frames are averaged\n"
     "#endif\n"
     "};\n" },
 
@@ -5014,7 +5015,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The filter's unit of distance from a plane. Of a 20th of the radius a groove was mixed with its rim: a 100th took the
+/* The filter's unit of distance from a plane. A 20th of the radius mixed grooves with their rims. A 100th took the
    error of hsao on 56 scenes by seed at 1280x720 from .411 to .406. */
 { "SSGI_OFF", NULL, __LINE__ + 1,
     "const float SSGI_OFF = 0.01; // of the radius\n" },
@@ -5046,7 +5047,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_beside", NULL, __LINE__ + 1,
-    "// Counts neighbours from offset pixels beside the pixel on.\n"
+    "// Makes offsets of neighbours count from the place that is offset pixels beside the pixel.\n"
     "ssgi_blurred ssgi_beside(ssgi_blurred centre, vec2 offset) {\n"
     "#if SSGI_FILTER == SSGI_FILTER_BILATERAL && SSGI_ORTHOGRAPHIC\n"
     "    centre.plane.w += dot(centre.plane.xy, offset);\n"
@@ -5068,7 +5069,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_from_gathered", NULL, __LINE__ + 1,
-    "ivec2 ssgi_from_gathered(ivec2 pixel) { // how far pixel is from the pixel that is gathered of the first 4x4\n"
+    "ivec2 ssgi_from_gathered(ivec2 pixel) { // offset from the gathered pixel of the picture's first 4x4\n"
     "#if SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
     "    return pixel - ssgi_turn_of_16();\n"
     "#else\n"
@@ -5079,7 +5080,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_neighbour_at", NULL, __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 pixel, int x, int y) {\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
-    "    ivec2 texel = (ssgi_from_gathered(pixel) + 2 >> 2) + ivec2(x, y); // from the nearest one on\n"
+    "    ivec2 texel = (ssgi_from_gathered(pixel) + 2 >> 2) + ivec2(x, y); // counted from the nearest\n"
     "    ivec2 gathered = ssgi_gathered(texel);\n"
     "    return ssgi_neighbour(texel + (u_ssgi_target >> 2), gathered, vec2(gathered - pixel));\n"
     "#elif SSGI_RESOLUTION\n"
@@ -5095,45 +5096,48 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* How fast weights fall off the plane, at full size: of 25 the error of hsao-best on 28 scenes by seed at 1280x720 is
-   .3676, of 50 .3672, of 100 .3673. The weight is scaled and shifted so that it is 1 on the plane, and 0 from one unit
-   off it on. */
+/* How fast weights fall with the distance from the plane, at full resolution. With 25 the error of hsao-best on 28
+   scenes by seed at 1280x720 is .3676, with 50 .3672, with 100 .3673. The weight is scaled and shifted so that it is 1
+   on the plane, and 0 at a distance of one unit or more. */
 { "SSGI_STEEP", NULL, __LINE__ + 1,
-    "const float SSGI_STEEP = 50.0; // how fast a neighbour's weight falls off the pixel's plane\n" },
+    "const float SSGI_STEEP = 50.0; // how fast a neighbour's weight falls with its distance from the plane\n" },
 
-/* From half size the weight is never 0, so that the tap closest to the plane wins if none lies on it. The square of a
-   distance from the plane at which a tap has half of its weight: .03 gives hsao-fast an error of .4508, .1 .4460, .3
-   .4451, but mixes surfaces. The scenes are those of SSGI_STEEP. Frames average its noise, so that history takes it
-   closer the more it has: over four moves by seed its first eight frames deviate by .0038 over the truth's with .02
-   throughout, .0030 with .3 over the frames, .0028 with .6. */
+/* Below full resolution the weight is never 0, so that the neighbour closest to the plane decides if none lies on it.
+   This is the squared distance from the plane at which a neighbour has half of its weight. With .03 hsao-fast has an
+   error of .4508 on the scenes of SSGI_STEEP, with .1 of .4460, with .3 of .4451, but .3 mixes surfaces. The average
+   over frames removes noise, so that pass history divides the value by the number of frames. Over four moves by seed,
+   the first eight frames deviate by .0038 more than the ground truth's with .02 in each frame, by .0030 with .3 over
+   the number of frames, and by .0028 with .6 over that number. */
 { "SSGI_HALF_HEIGHT", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
     "const float SSGI_HALF_HEIGHT = 0.1; // a texel so far off the plane, squared, has half of its weight\n" },
 
 { "SSGI_HALF_HEIGHT", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "const float SSGI_HALF_HEIGHT = 0.3; // over frames\n" },
+    "const float SSGI_HALF_HEIGHT = 0.3; // is divided by the number of frames\n" },
 
-/* From five frames on the filter needs no more than the four texels next to a pixel: from three on it deviates by a
-   third more (as above). Counts are whole where a camera stands, so that rounding must not decide. */
+/* From five frames on the four texels next to a pixel suffice. If they had to suffice from three on, frames would
+   deviate by a third more (measured as above). Under a still camera the number of frames is whole, so that this bound
+   lies between two whole numbers. */
 { "SSGI_SETTLED", NULL, __LINE__ + 1,
     "const float SSGI_SETTLED = 4.5; // frames from which on the four nearest texels suffice\n" },
 
-/* Where a pixel has an average over frames, these sharpen the filter: a tap's tent, 1 to 16, is multiplied by this plus
-   the tent, so that the nearest texel counts most. 4 gives hsao-history an error of .3737, 12 .3740, 36 .3743. */
+/* If a pixel has an average over frames, the filter is sharper: the tent t of a neighbour, 1 to 16, becomes
+   t * (SSGI_TENT + t), so that the nearest texel counts most. With 4 hsao-history has an error of .3737, with 12 of
+   .3740, with 36 of .3743. */
 { "SSGI_TENT", NULL, __LINE__ + 1,
-    "const float SSGI_TENT = 12.0; // added to the tent: the nearest texel counts most where frames are averaged\n" },
+    "const float SSGI_TENT = 12.0; // the smaller, the more the nearest texel counts if frames are averaged\n" },
 
 { "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
-    "// Returns the weight of a neighbour that is so many pixels away along x or y: a Gaussian [HSAO08 4.1.3].\n"
+    "// Returns the weight of a neighbour by its distance along x or y in pixels: a Gaussian [HSAO08 4.1.3].\n"
     "float ssgi_tent(float away) {\n"
     "    float variance = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
     "    return exp(-0.5 * away * away / variance);\n"
     "}\n" },
 
-/* From half size a tent of 4 pixels, and of 5.5 with radius 2. Of 6 pixels and all 25 taps hsao by 2x6 has an error of
-   .4220 on 13 scenes by seed, of 5.5 without the corners .4217, with a third fewer instructions. At full size a
-   box over a tile of noise. */
+/* At full resolution the weight is a box over a tile of noise. Below it is a tent, which ends at 4 pixels, and with
+   radius 2 at 5.5. If it ended at 6 pixels, hsao with 2 slices of 6 samples would have an error of .4220 on 13 scenes
+   by seed with all 25 texels. It has .4217 with 5.5 pixels and without the corners, by a third fewer instructions. */
 { "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
-    "// Returns the weight of a neighbour that is so many pixels away along x or y.\n"
+    "// Returns the weight of a neighbour by its distance along x or y in pixels.\n"
     "float ssgi_tent(float away) {\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    away *= 0.5; // The tent is twice as wide.\n"
@@ -5148,13 +5152,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
-    "// How much a neighbour counts, by its view depth z: differences may be a pixel's footprint.\n"
+    "// Returns the weight of a neighbour by its view depth z. It is a half if depths differ by a pixel's footprint.\n"
     "float ssgi_blur_weight(ssgi_blurred centre, ivec2 pixel, vec2 offset, float z) {\n"
     "    return centre.footprint / (centre.footprint + abs(z - centre.z));\n"
     "}\n" },
 
 { "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
-    "// How much a neighbour counts, the less the farther it is off the plane. offset: how many pixels away pixel is.\n"
+    "// Returns the weight of a neighbour by its distance from the plane. offset: pixels from the centre to it.\n"
     "float ssgi_blur_weight(ssgi_blurred centre, ivec2 pixel, vec2 offset, float z) {\n"
     "    float height = ssgi_above_plane(centre.plane, offset, z);\n"
     "#if SSGI_RESOLUTION && SSGI_PASS == SSGI_PASS_HISTORY\n"
@@ -5194,7 +5198,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_filtered", NULL, __LINE__ + 1,
     "struct ssgi_filtered { // sums over a pixel and its neighbours\n"
-    "    vec4 light; // xyz: light or visibility, times weight; w: weights\n"
+    "    vec4 light; // xyz: the sum of light or visibility, times weight; w: the sum of weights\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
     "    ssgi_coefficients sums; // times weight\n"
     "#endif\n"
@@ -5246,7 +5250,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (centre.frames >= SSGI_SETTLED) weight *= SSGI_TENT + weight;\n"
     "#endif\n"
     "    weight *= ssgi_blur_weight(centre, neighbour.pixel, neighbour.offset, texel.w);\n"
-    "    // Not >=, as background in 16 bits is infinity or NaN.\n"
+    "    // Background in 16 bits is infinity or NaN. Both fail this test, as a comparison with NaN is false.\n"
     "    if (inside && texel.w < SSGI_FAR) ssgi_filtered_add(filtered, texel, weight);\n"
     "}\n" },
 
@@ -5259,7 +5263,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_corner", NULL, __LINE__ + 1,
-    "bool ssgi_corner(ivec2 offset) { // whether that is a corner of the filter, which it goes without\n"
+    "bool ssgi_corner(ivec2 offset) { // whether a texel is a corner of the filter, which is left out\n"
     "#if SSGI_RESOLUTION && SSGI_FILTER_RADIUS > 1\n"
     "    return abs(offset.x) + abs(offset.y) == 2 * SSGI_FILTER_RADIUS;\n"
     "#else\n"
@@ -5299,9 +5303,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return filtered;\n"
     "}\n" },
 
-/* Frames average, too: where a pixel has some, the four texels next to it suffice. */
+/* The average over frames is a filter, too: if a pixel has enough frames, the four texels next to it suffice. */
 { "ssgi_filter", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "// Sums over the texels around pixel, or next to it.\n"
+    "// Sums over the texels next to pixel. If it has few frames, sums over the other texels around it, too.\n"
     "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) {\n"
     "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if !SSGI_RESOLUTION\n"
@@ -5352,7 +5356,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_restored", NULL, __LINE__ + 1,
-    "// Returns the light itself from the form that was filtered.\n"
+    "// Returns light from the form in which it was filtered, which desc.light.restore names.\n"
     "vec3 ssgi_restored(vec3 light, ssgi_blurred centre) {\n"
     "#if !SSGI_RESTORE\n"
     "    return light;\n"
@@ -5399,20 +5403,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_specular_visibility", NULL, __LINE__ + 1,
-    "// bent, normal: cosines of the mirrored view direction to the bent normal and to the normal.\n"
+    "// bent, normal: cosines between the mirrored view direction and the bent normal, and the normal.\n"
     "float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness) {\n"
     "    vec2 slopes = vec2(0.82, 2.4) + vec2(0.32, -1.77) * roughness;\n"
     "    return clamp(1.0 - slopes.x * (1.0 - visibility) - slopes.y * visibility * (normal - bent), 0.0, 1.0);\n"
     "}\n" },
 
 /* ---- ssgi_gl_read: functions by which your own shaders read results of gathers, or of filters behind them. They weigh
-   texels as blur does, but for the surface that you shade, which need not be the one that the depth buffer shows. */
+   texels as blur does, but by the surface that you shade. It need not be the surface that the depth buffer shows. */
 
-/* Where no texel shows that surface, as in front of all others, nothing is known to occlude it, and no occlusion has a
-   weight, too. At full size texels of other surfaces have none. From half size theirs falls off over the distance,
-   and no occlusion has that of 3x3 texels a radius away, or 16 units of SSGI_OFF, if that is more. Half of a radius
-   would serve panes better, but is worse on leaves whose texels are all another leaf's: on grass .272 where the filter
-   has .258, of a whole radius .270 where it has .264, over the pixels that differ by .002. */
+/* If no texel shows the shaded surface, for instance a pane in front of all others, then nothing is known to occlude
+   it. So the value "unoccluded" has this weight in the mean. At full resolution texels of other surfaces have no
+   weight. Below it their weight falls with the distance, and "unoccluded" weighs as much as 3x3 texels at a distance of
+   one radius, or of 16 units of SSGI_OFF if that is more. Half a radius would serve panes better, but is worse on
+   leaves around which all texels show other leaves. On grass, over the pixels that differ by .002, the error is .272
+   with half a radius (the filter's: .258), and .270 with a whole one (the filter's: .264). */
 { "ssgi_unshown", NULL, __LINE__ + 1,
     "float ssgi_unshown(ssgi_blurred centre) {\n"
     "#if SSGI_RESOLUTION\n"
@@ -5424,7 +5429,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_surface_at", NULL, __LINE__ + 1,
-    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 normal) { // the place need not be a pixel's centre\n"
+    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 normal) { // pixel: a place in pixels, not only a centre\n"
     "    ssgi_blurred centre;\n"
     "    z = ssgi_own_depth(z);\n"
     "    vec2 offset = fract(pixel) - 0.5;\n"
@@ -5441,7 +5446,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_read", NULL, __LINE__ + 1,
-    "// Sums over the texels around, if they show the surface.\n"
+    "// Sums over the texels around a place, weighted by how near their surfaces are to this one.\n"
     "ssgi_filtered ssgi_read(vec2 pixel, ssgi_blurred centre) {\n"
     "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
     "    ivec2 whole = ivec2(floor(pixel));\n"
@@ -5452,14 +5457,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    filtered.light.w = ssgi_unshown(centre);\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
-    "    ssgi_filter_at(filtered, whole, centre, ivec2(0)); // It is filtered already.\n"
+    "    ssgi_filter_at(filtered, whole, centre, ivec2(0)); // This texel is filtered already.\n"
     "    int more = filtered.light.w < 0.5 ? side * side : 0;\n"
     "#else\n"
     "    const int more = side * side;\n"
     "#endif\n"
     "    for (int i = 0; i < more; ++i) {\n"
     "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
-    "        if (i == side * side / 2) continue; // the pixel's own\n"
+    "        if (i == side * side / 2) continue; // the pixel's own texel\n"
     "#endif\n"
     "        ivec2 offset = ivec2(i % side, i / side) - SSGI_FILTER_RADIUS;\n"
     "        if (!ssgi_corner(offset)) ssgi_filter_at(filtered, whole, centre, offset);\n"
@@ -5477,15 +5482,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_visibility_at", "SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY", __LINE__ + 1,
-    "// Returns the ambient visibility of a surface of view depth z and unit normal that is seen at a place in the\n"
-    "// picture, in pixels from its first corner.\n"
+    "// Returns the ambient visibility of a surface of view depth z and unit normal, which is seen at a place in the\n"
+    "// picture. The place is in pixels from the corner of pixel (0, 0).\n"
     "float ssgi_visibility_at(vec2 pixel, float z, vec3 normal) {\n"
     "    ssgi_filtered filtered = ssgi_read(pixel, ssgi_surface_at(pixel, z, normal));\n"
     "    return filtered.light.x / filtered.light.w;\n"
     "}\n" },
 
 { "ssgi_irradiance_at", "SSGI_QUANTITY == SSGI_QUANTITY_LIGHT", __LINE__ + 1,
-    "// Returns irradiance over pi; 0 where no texel near shows the surface, and nothing is restored.\n"
+    "// Returns irradiance over pi. If no near texel shows the surface, the result is 0, or with desc.light.restore\n"
+    "// the unoccluded irradiance.\n"
     "vec3 ssgi_irradiance_at(vec2 pixel, float z, vec3 normal) {\n"
     "    ssgi_blurred centre = ssgi_surface_at(pixel, z, normal);\n"
     "    ssgi_filtered filtered = ssgi_read(pixel, centre);\n"
@@ -5493,7 +5499,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_coefficients_at", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
-    "// Returns coefficients, for ssgi_sh_dot; 0 where no texel near shows the surface.\n"
+    "// Returns coefficients, for ssgi_sh_dot. They are 0 if no near texel shows the surface.\n"
     "ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float z, vec3 normal) {\n"
     "    ssgi_filtered filtered = ssgi_read(pixel, ssgi_surface_at(pixel, z, normal));\n"
     "    return ssgi_scaled(filtered.sums, filtered.light.w > 0.0 ? 1.0 / filtered.light.w : 0.0);\n"
@@ -5517,47 +5523,49 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, pixel + u_ssgi_origin, 0).xyz, 0.0);\n"
     "}\n" },
 
-/* ---- history filters as blur does, and averages that over the last frames in which this surface was seen. Where light
-   changes the average follows: a mean over three frames (quick) is kept beside that over all. */
+/* ---- history filters as blur does, and averages the result over the last frames in which this surface was seen. A
+   mean over three frames (quick) is kept beside the mean over all frames. If light changes, quick follows, and then
+   moves the mean over all. */
 
-/* How far quick may be from this frame's filtered value: 0.7 of the neighbours' deviation, which is three to five times
-   the noise of a filtered value, so that a greater difference is a change; and 2 % of the value, for neighbours without
-   a deviation. */
+/* The most by which quick may differ from this frame's filtered value: 0.7 of the neighbours' deviation, plus 2 % of
+   the value. The former is three to five times the noise of a filtered value, so that a larger difference is a change.
+   The latter is for neighbours without a deviation. */
 { "SSGI_JUMP", NULL, __LINE__ + 1,
     "const vec2 SSGI_JUMP = vec2(0.7, 0.02); // the quick mean's bound: deviations; share of the value\n" },
 
-/* How far the mean over all frames may be from quick: by the noise of a filtered value, which is a quarter to a seventh
-   of the deviation; and by 0.5 % of the mean, about a step of 8 bits. */
+/* The most by which the mean over all frames may differ from quick, called a drift: 0.2 of the deviation, plus 0.5 % of
+   the value. The noise of a filtered value is a quarter to a seventh of the deviation; 0.5 % is about a step of 8
+   bits. */
 { "SSGI_DRIFT", NULL, __LINE__ + 1,
-    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005); // how far the mean may be from the quick one, likewise\n" },
+    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005); // the bound of the mean over all frames: deviations; share\n" },
 
-/* The share of the frames that is forgotten where the mean had to follow by a drift or more: of 16 frames two stay. */
+/* If quick moved the mean by a drift or more, this share of its frames is forgotten: of 16 frames two stay. */
 { "SSGI_FORGOTTEN", NULL, __LINE__ + 1,
-    "const float SSGI_FORGOTTEN = 0.85; // share of the frames that is forgotten where the mean had to follow\n" },
+    "const float SSGI_FORGOTTEN = 0.85; // share of the frames that is forgotten if quick moved the mean\n" },
 
-/* Interpolation blurs once a frame, so that fewer frames are kept the more it blurs: of 16 frames 10.7 where a place
-   lies midway between two pixels, 8 amid four. */
+/* Interpolation blurs the average once a frame. The more it blurs, the fewer frames are kept: of 16 frames 10.7 if a
+   place lies midway between two pixels, and 8 if it lies amid four. */
 { "SSGI_BLURRED", NULL, __LINE__ + 1,
     "const float SSGI_BLURRED = 2.0; // how many fewer frames are kept, the more interpolation blurs them\n" },
 
-/* The share of all surfaces within the radius whose change leaves one frame beside this one: of .01 a box that slides
-   has 1.051 times the error of its frame alone, of .007 1.042 (make stability, kept-slide). */
+/* If this share of all surfaces within the radius came or went, one frame is kept beside the present one. With .01 a
+   box that slides has 1.051 times the error of a single frame, with .007 1.042 times (make stability, kept-slide). */
 { "SSGI_CHANGED", NULL, __LINE__ + 1,
     "const float SSGI_CHANGED = 0.007; // share of changed surfaces that leaves one frame beside this\n" },
 
-/* Where motion vectors say that nothing moves, fewer changed depths of a tile than this share are edges that pixels
-   sample otherwise than in the last frame, such as leaves'. */
+/* If motion vectors show that nothing in a tile moves, and a smaller share of its depths than this has changed, then
+   these pixels lie at edges, as of leaves, and merely sample them at other places than in the last frame. */
 { "SSGI_APPEARED", NULL, __LINE__ + 1,
-    "const float SSGI_APPEARED = 0.25; // fewer changed depths of a tile are edges that are sampled otherwise\n" },
+    "const float SSGI_APPEARED = 0.25; // a smaller share of changed depths is edges, sampled at other places\n" },
 
-/* Neither NaN nor more than 1e9. The bits decide, since compilers turn !(a < b) into a >= b. */
+/* Whether all values are numbers up to 1e9, not NaN. The bits are compared, as compilers turn !(a < b) into a >= b. */
 { "ssgi_finite", NULL, __LINE__ + 1,
     "bool ssgi_finite(vec4 values) {\n"
     "    return all(lessThan(floatBitsToUint(values) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
     "}\n" },
 
 { "ssgi_reproject", NULL, __LINE__ + 1,
-    "// Returns the pixel and the depth that P had in the last frame.\n"
+    "// Returns the place in pixels and the depth that P had in the last frame.\n"
     "vec3 ssgi_reproject(vec3 P) {\n"
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
@@ -5584,8 +5592,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_last", NULL, __LINE__ + 1,
-    "struct ssgi_last { // this surface as the last frame has it\n"
-    "    float known; // the weight of the texels that show the surface; 0 if it is below 0.25\n"
+    "struct ssgi_last { // the values of this surface that the last frame kept\n"
+    "    float known; // the weight of those of four texels that show the surface; 0 if it is below 0.25\n"
     "    float blurred; // how much interpolation blurs the averages, 0 .. 0.5\n"
     "#if SSGI_MOTION\n"
     "    bool moves; // The surface moves on its own, not by the camera alone.\n"
@@ -5603,7 +5611,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_own_motion", "SSGI_MOTION", __LINE__ + 1,
-    "vec2 ssgi_own_motion(ivec2 pixel, vec2 was) { // returns its own motion; by the camera's it was at `was`\n"
+    "vec2 ssgi_own_motion(ivec2 pixel, vec2 was) { // in pixels; was: its place if only the camera moved\n"
     "    vec2 moved = texelFetch(t_ssgi_motion, pixel + u_ssgi_origin, 0).xy;\n"
     "    return (vec2(pixel) + 0.5 - moved) * vec2(u_ssgi_last_size) / vec2(u_ssgi_size) - was;\n"
     "}\n" },
@@ -5615,14 +5623,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* Kept depths may be of 16 bits, which round by half a thousandth. */
 { "SSGI_KEPT_ROUNDS", NULL, __LINE__ + 1,
-    "const float SSGI_KEPT_ROUNDS = 0.001; // of the depth: kept depths of a surface differ by less\n" },
+    "const float SSGI_KEPT_ROUNDS = 0.001; // share of the depth: kept depths of a surface differ by less\n" },
 
-/* A still camera reprojects to a texel's centre but for rounding, and must then read that texel alone. */
+/* Under a still camera a pixel's last place is a texel's centre, apart from rounding, and only that texel may be
+   read. */
 { "SSGI_CENTRED", NULL, __LINE__ + 1,
-    "const float SSGI_CENTRED = 0.01; // A place this close to a texel's centre, in texels, is that texel's.\n" },
+    "const float SSGI_CENTRED = 0.01; // A place this close to a texel's centre, in texels, counts as it.\n" },
 
-/* Reprojects P and interpolates between those of the last frame's four texels around it that show P's plane. A texel
-   shows it if it is within the slack of it: half a footprint and the rounding of kept depths. */
+/* Reprojects P, and interpolates between those of the last frame's four texels around it that show P's plane. A texel
+   shows the plane if its distance from it is less than the slack: half a footprint and the rounding of kept depths. */
 { "ssgi_last_of", NULL, __LINE__ + 1,
     "ssgi_last ssgi_last_of(ivec2 pixel, vec3 P, vec3 normal) {\n"
     "    ssgi_last none = ssgi_last_none();\n"
@@ -5630,12 +5639,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 was = ssgi_reproject(P);\n"
     "    vec2 place = was.xy + u_ssgi_jitter;\n"
     "    float footprint = u_ssgi_last_footprint * ssgi_footprint(-P.z);\n"
-    "    vec4 plane = vec4(normal, 0.0) * u_ssgi_last_from; // It takes pixels and depths of the last frame.\n"
+    "    vec4 plane = vec4(normal, 0.0) * u_ssgi_last_from; // for pixels and depths of the last frame\n"
     "    plane.w -= dot(normal, P);\n"
     "    float slack = 0.5 * footprint - SSGI_KEPT_ROUNDS * P.z;\n"
     "#if SSGI_MOTION\n"
     "    vec2 own = ssgi_own_motion(pixel, place);\n"
-    "    slack += max(length(own) - 0.5, 0.0) * footprint; // Its depth may have changed by that.\n"
+    "    slack += max(length(own) - 0.5, 0.0) * footprint; // Its depth may have changed as much.\n"
     "    place += own;\n"
     "    sum.moves = ssgi_moves(own);\n"
     "#endif\n"
@@ -5669,22 +5678,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return sum;\n"
     "}\n" },
 
-/* As many neighbours of equal weight as a filter sees where all lie in the pixel's plane: 3x3 texels; from half size
-   weights fall off. A third of 9 and 7 takes the error of hsao-history from .3740 to .3888, three times as much
-   to .3683 (scenes: SSGI_STEEP); the larger it is, the later a change of light is noticed. */
+/* If all neighbours lie in the pixel's plane, the filter averages as well as this number of equal weights: 9 for 3x3
+   texels at full resolution, 7 below it, where weights fall off. A third of both numbers takes the error of
+   hsao-history from .3740 to .3888, and three times both to .3683 (on the scenes of SSGI_STEEP). The larger the number
+   is, the later a change of light is noticed. */
 { "SSGI_EVEN", "!SSGI_RESOLUTION", __LINE__ + 1,
     "const float SSGI_EVEN = 9.0; // neighbours of equal weight that the filter sees on a plane\n" },
 
 { "SSGI_EVEN", "SSGI_RESOLUTION", __LINE__ + 1,
     "const float SSGI_EVEN = 7.0; // neighbours of equal weight that the filter sees on a plane\n" },
 
-/* The deviation of few neighbours says little, so it is taken to be larger, and this share of the mean is added by
-   squares. Without it hsao-history has an error of .3932, of twice as much .3703 (scenes: SSGI_STEEP), but the
-   more is added the later a change of light is noticed. */
+/* The deviation of few neighbours is uncertain, so it is taken to be larger: the square of this share of the mean is
+   added to their variance. Without it hsao-history has an error of .3932, and with twice as much of .3703 (on the
+   scenes of SSGI_STEEP). But the more is added, the later a change of light is noticed. */
 { "SSGI_DOUBT", NULL, __LINE__ + 1,
     "const float SSGI_DOUBT = 0.1; // share of the mean that is added to the deviation of few neighbours\n" },
 
-/* The variance of one neighbour is 0 / 0 without this bound. */
 { "SSGI_ALONE", NULL, __LINE__ + 1,
     "const float SSGI_ALONE = 0.2; // without this bound the variance of one neighbour would be 0 / 0\n" },
 
@@ -5694,7 +5703,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float few = SSGI_EVEN * one;\n"
     "    float variance = max(filtered.spread.x / filtered.light.w - mean * mean, 0.0);\n"
     "    float doubt = SSGI_DOUBT * mean;\n"
-    "    variance /= max(1.0 - one, SSGI_ALONE); // This makes it unbiased.\n"
+    "    variance /= max(1.0 - one, SSGI_ALONE); // This removes its bias.\n"
     "    return sqrt((variance + doubt * doubt * max(few - 1.0, 0.0)) * few);\n"
     "}\n" },
 
@@ -5702,14 +5711,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_frames(ivec2 pixel, ssgi_last last) { // how many frames are averaged, this one among them\n"
     "    float changed = texelFetch(t_ssgi_change_share, pixel / 8 + u_ssgi_target / 8, 0).x;\n"
     "#if SSGI_MOTION\n"
-    "    if (last.moves) changed = 0.0; // most of the change is its own motion, which is followed\n"
+    "    if (last.moves) changed = 0.0; // Most of the change is the surface's own motion.\n"
     "#endif\n"
     "    float most = max(u_ssgi_history_frames / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
     "    most = min(most, 1.0 + SSGI_CHANGED / max(changed, 1e-9));\n"
     "    return last.known > 0.0 ? min(u_ssgi_pace * last.kept.means.y + 1.0, most) : 1.0;\n"
     "}\n" },
 
-/* Averages this frame with the last ones. Where their mean differs from it by more than noise, it follows. */
+/* Averages this frame with the last ones. If the mean differs from quick by more than noise, it is moved toward
+   quick. */
 { "ssgi_averaged", NULL, __LINE__ + 1,
     "ssgi_kept ssgi_averaged(vec4 now, float deviation, float frames, ssgi_last last) {\n"
     "    float grey = ssgi_grey(now);\n"
@@ -5740,7 +5750,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_blurred centre = ssgi_blurred_at(pixel);\n"
     "    ssgi_last last = ssgi_last_of(pixel, centre.P, centre.normal);\n"
     "    float frames = ssgi_frames(pixel, last);\n"
-    "    centre.frames = centre.z < SSGI_FAR ? frames : SSGI_SETTLED; // background needs no filter\n"
+    "    centre.frames = centre.z < SSGI_FAR ? frames : SSGI_SETTLED; // Background needs no filter.\n"
     "    ssgi_filtered filtered = ssgi_filter(pixel, centre);\n"
     "    vec4 now = vec4(filtered.light.xyz / filtered.light.w, centre.z);\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
@@ -5767,9 +5777,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- change_mask, change_share: these passes tell history which surfaces came or went within the radius. An average
-   that holds an occluder's shadow is worth nothing once the occluder has gone; a moving camera alone changes
-   nothing. */
+/* ---- change_mask, change_share: these passes tell history which surfaces came or went within the radius. Once an
+   occluder has gone, an average that holds its shadow is worthless. If the camera alone moves, no surface counts as
+   changed. */
 
 { "ssgi_depth_last", NULL, __LINE__ + 1,
     "float ssgi_depth_last(ivec2 pixel) {\n"
@@ -5777,11 +5787,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is infinity or NaN\n"
     "}\n" },
 
-/* Without it an object that moved by a pixel is not noticed while the camera stands still. */
+/* Without this bound an object that moved by a pixel would not be noticed while the camera stands still. */
 { "SSGI_BESIDE", NULL, __LINE__ + 1,
-    "const float SSGI_BESIDE = 0.02; // A place that is this close to a pixel, in pixels, counts as that one.\n" },
+    "const float SSGI_BESIDE = 0.02; // A place this close to a pixel's centre, in pixels, counts as it.\n" },
 
-/* Finds the pixel of least depth among the four that a place lies between, in the last frame or in this: its place and
+/* Finds the pixel of least depth among the four around a place, in the last frame or in this one. Returns its place and
    its depth. */
 { "ssgi_nearest", NULL, __LINE__ + 1,
     "vec3 ssgi_nearest(vec2 place, bool last) {\n"
@@ -5802,11 +5812,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slack", NULL, __LINE__ + 1,
-    "float ssgi_slack(float z) { // Depths of one surface differ by less from frame to frame; one of them was kept.\n"
+    "float ssgi_slack(float z) { // A surface's depth differs by less from its kept depth of the last frame.\n"
     "    return u_ssgi_last_footprint * ssgi_footprint(z) + 2.0 * SSGI_KEPT_ROUNDS * z;\n"
     "}\n" },
 
-/* Whether the last frame had another depth where a point was, which is seldom so. */
+/* Whether the last frame showed another surface at the place of a point, which is rare. */
 { "ssgi_depth_differs", NULL, __LINE__ + 1,
     "bool ssgi_depth_differs(vec3 was) {\n"
     "    float z = ssgi_depth_last(ivec2(floor(was.xy)));\n"
@@ -5814,12 +5824,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return shown && abs(z - was.z) > ssgi_slack(was.z);\n"
     "}\n" },
 
-/* The surface that a pixel shows now came if it stands in front of the one that the last frame saw there. The last
-   frame's surface went if it would stand in front of the one that is seen now, at the place where it would be now. A
-   nearer surface that hides or bares it as the camera moves counts for neither. To stand in front means to be off the
-   plane, too, as depths on a steep surface differ from pixel to pixel. */
+/* The surface that a pixel shows now came if it stands in front of the surface that the last frame showed there. The
+   last frame's surface went if, moved to where it would be now, it would stand in front of the surface that is seen
+   there. Both tests fail if a nearer surface merely hides or bares the other as the camera moves. Depths on a steep
+   surface differ from pixel to pixel, so each test takes the nearest of four pixels. */
 { "ssgi_change", NULL, __LINE__ + 1,
-    "float ssgi_change(ivec2 pixel, vec3 was) { // returns its view depth; 0: none came or went\n"
+    "float ssgi_change(ivec2 pixel, vec3 was) { // returns its view depth; 0: no surface came or went\n"
     "    vec3 occluder = ssgi_nearest(was.xy - 0.5, true);\n"
     "    bool came = occluder.z > was.z;\n"
     "    occluder.xy += 0.5;\n"
@@ -5840,16 +5850,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tested", NULL, __LINE__ + 1,
-    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 pixels of the tile, other ones in each frame\n"
+    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 pixels of the tile; frames differ in which\n"
     "    return min(8 * ssgi_tile() + 2 * ivec2(nth & 3, nth >> 2) + ssgi_turn(0), u_ssgi_size - 1);\n"
     "}\n" },
 
 { "ssgi_pixel_was", NULL, __LINE__ + 1,
-    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // where its point was in the last frame, unless it moves\n"
+    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // where its point was in the last frame if it rests\n"
     "    return ssgi_reproject(ssgi_position(vec2(pixel) + 0.5, z));\n"
     "}\n" },
 
-/* The places where depths differ are found first, since they are few: the loop over them ends at once elsewhere. */
+/* A first loop finds the pixels whose depths differ. They are few, so that in most tiles the second loop ends at
+   once. */
 { "main_change_mask", NULL, __LINE__ + 1,
     "void main() {\n"
     "    vec4 mask = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
@@ -5883,7 +5894,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_change_mask = vec4(mask.xyz, nearest);\n"
     "}\n" },
 
-/* Seven tiles on a side are read, farther apart where the radius reaches beyond them. */
+/* 7x7 tiles are read, which are farther apart if the radius reaches beyond them. */
 { "main_change_share", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 tile = ssgi_tile();\n"
@@ -5918,12 +5929,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>rows: inputs and outputs ================================================================================== */
 
-/* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
-   Texture units are fixed, and differ where textures meet in a pass. Locations of outputs and attributes, and places
-   of captures, count up in this order. */
+/* A row is declared in a shader if a function that is kept names it, and `when` holds, a condition as in #if lines
+   (NULL: always). Units of textures are fixed, and differ for any two textures of one pass. Locations of outputs and
+   attributes, and places of captures, count up in this order. */
 typedef struct ssgi_gl__row {
     const char *when;
-    size_t bytes; /* of a member; 1: a texture of yours, which desc.input.array makes an array */
+    size_t bytes; /* size of a member; 1: a texture of yours, which desc.input.array makes an array */
     ssgi_gl_io io;
 } ssgi_gl__row;
 
@@ -5948,7 +5959,7 @@ typedef struct ssgi_gl__row {
 #define SSGI_GL__ROW_CAPTURE(name, type, is) \
     { NULL, 0, { "v_ssgi_" name, SSGI_GL_IO_CAPTURE, type, 0, 0, is, 0, 0 } }
 
-/* A texture and an output of one name: s3ho writes them, shade and blur read them. */
+/* A texture and an output of one name: s3ho writes the coefficients, and shade and blur read them. */
 #define SSGI_GL__ROWS_FLOATS(name, unit, is) \
     SSGI_GL__ROW_TEXTURE(name, unit, "!packed_coefficients", "sampler2D", SSGI_GL__HDR ": " is), \
     SSGI_GL__ROW_OUTPUT(name, "!packed_coefficients", "vec4", SSGI_GL__HDR ": " is)
@@ -6139,35 +6150,35 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
 /* clang-format on */
 
-/* ==== >>passes: all that is said of each pass ===================================================================== */
+/* ==== >>passes: the properties of each pass ======================================================================= */
 
-/* The columns of a pass's row, which are 0 where nothing else is said. */
+/* The values of the columns of a pass's row. */
 enum {
     SSGI_GL__CHAIN_NONE = 0, /* ssgi_gl_chain.desc must not be of this pass */
     SSGI_GL__CHAIN_ALONE,    /* a chain may be of this pass, and holds nothing else */
-    SSGI_GL__CHAIN_FILTERED, /* a chain may be of it, and filters its o_ssgi_ao */
-    SSGI_GL__CHAIN_OWN       /* a chain may be of it; ssgi_gl__build_chain adds the other steps */
+    SSGI_GL__CHAIN_FILTERED, /* a chain may be of this pass, and filters its o_ssgi_ao */
+    SSGI_GL__CHAIN_OWN       /* a chain may be of this pass; ssgi_gl__build_chain adds the other steps */
 };
 
 enum {
     SSGI_GL__SEARCH_NONE = 0, /* it gathers nothing */
-    SSGI_GL__SEARCH_POINTS,   /* it has points, whatever desc.gather.search says */
+    SSGI_GL__SEARCH_POINTS,   /* it samples points, whatever desc.gather.search says */
     SSGI_GL__SEARCH_CHOSEN    /* desc.gather.search chooses */
 };
 
 enum {
-    SSGI_GL__THICKNESS_NONE = 0, /* it does not look at desc.gather.thickness */
+    SSGI_GL__THICKNESS_NONE = 0, /* the pass does not look at desc.gather.thickness */
     SSGI_GL__THICKNESS_READ,     /* its occluders are as thick as desc.gather.thickness says */
     SSGI_GL__THICKNESS_MEASURED  /* it measures the thickness that the others read */
 };
 
 enum {
-    SSGI_GL__PRESET_NONE = 0, /* nothing in it trades cost for accuracy */
-    SSGI_GL__PRESET_SSAO,     /* this and those below number the rows of ssgi_gl__presets */
+    SSGI_GL__PRESET_NONE = 0, /* none of its settings trades cost for accuracy */
+    SSGI_GL__PRESET_SSAO,     /* this and the values below are row numbers of ssgi_gl__presets */
     SSGI_GL__PRESET_LIGHTS,
     SSGI_GL__PRESET_SPLAT,
-    SSGI_GL__PRESET_SEARCH, /* that of desc.gather.search, so that a desc also serves the passes around its own */
-    SSGI_GL__PRESET_LIT     /* likewise, but light has slices of its own */
+    SSGI_GL__PRESET_SEARCH, /* the row of desc.gather.search, so that one desc serves all passes of a chain */
+    SSGI_GL__PRESET_LIT     /* likewise, but slices have a row of their own for light */
 };
 
 enum {
@@ -6188,18 +6199,18 @@ enum {
 };
 
 enum {
-    SSGI_GL__BLEND_ONTO = 0, /* as desc.filter.onto says; off where the pass does not look at it */
+    SSGI_GL__BLEND_ONTO = 0, /* as desc.filter.onto says; off if the pass does not look at it */
     SSGI_GL__BLEND_MULTIPLY,
     SSGI_GL__BLEND_ADD
 };
 
 enum {
-    SSGI_GL__TEXTURE_NEW = 0, /* each of its outputs has a texture of its own */
-    SSGI_GL__TEXTURE_KEPT,    /* each has two, which change places from frame to frame */
+    SSGI_GL__TEXTURE_NEW = 0, /* each output has a texture of its own */
+    SSGI_GL__TEXTURE_KEPT,    /* each output has two, which change places from frame to frame */
     SSGI_GL__TEXTURE_LAYER    /* its output is a layer of one texture, which all passes of its name share */
 };
 
-/* The main function of a pass's fragment stage where `when`, a condition as in #if lines, holds (NULL: always). */
+/* The main function of a pass's fragment stage if `when` holds, a condition as in #if lines (NULL: always). */
 typedef struct ssgi_gl__variant {
     const char *when, *main;
 } ssgi_gl__variant;
@@ -6207,8 +6218,8 @@ typedef struct ssgi_gl__variant {
 typedef struct ssgi_gl__pass {
     int pass;
     const char *name;
-    signed char chain, search, thickness, preset, scale, draw, blend, texture; /* columns */
-    ssgi_gl__variant variant[3];                                               /* the last are empty */
+    signed char chain, search, thickness, preset, scale, draw, blend, texture; /* the columns */
+    ssgi_gl__variant variant[3];                                               /* unused ones are empty */
 } ssgi_gl__pass;
 
 /* clang-format off */
@@ -6217,7 +6228,7 @@ typedef struct ssgi_gl__pass {
     SSGI_GL__PRESET_##preset, SSGI_GL__SCALE_##scale, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
     SSGI_GL__TEXTURE_##texture
 
-/* The main functions of the other stages, by the column draw; second, with desc.surfel.tessellate. */
+/* The main functions of the other stages, by the column draw: without desc.surfel.tessellate, and with it. */
 static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
     { { "main_triangle", NULL, NULL, NULL, NULL }, { "main_triangle", NULL, NULL, NULL, NULL } },
     { { "main_occluder", NULL, NULL, NULL, NULL }, { "main_occluder", NULL, NULL, NULL, NULL } },
@@ -6225,7 +6236,7 @@ static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
     { { "main_buffer", NULL, NULL, NULL, NULL }, { "main_patch", NULL, "main_levels", "main_points", NULL } }
 };
 
-/* The outputs of a pass are those that its main functions name, as inputs are: their rows are in >>rows. */
+/* The inputs and outputs of a pass are those that its main functions name; >>rows has their rows. */
 static const ssgi_gl__pass ssgi_gl__passes[] = {
     /*                              chain     search  thickness preset  scale   draw     blend    texture */
     { SSGI_GL__PASS(SSAO, "ssao",   FILTERED, POINTS, READ,     SSAO,   CHOSEN, IMAGE,   ONTO,     NEW),
@@ -6291,7 +6302,7 @@ enum {
 typedef char ssgi_gl__enums_are_ints[sizeof(ssgi_gl_pass) == sizeof(int) ? 1 : -1];
 typedef char ssgi_gl__every_pass_has_a_row[sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes == SSGI_GL_PASSES ? 1 : -1];
 
-/* The row of a pass; NULL where there is no such pass. */
+/* The row of a pass; NULL if there is no such pass. */
 static const ssgi_gl__pass *ssgi_gl__pass_of(int pass)
 {
     for (int i = 0; i < SSGI_GL_PASSES; ++i)
@@ -6321,13 +6332,13 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
         if (r_ != SSGI_OK) return r_; \
     } while (0)
 
-/* One row a field, in the struct's order; names and words are those of #if lines, too. COUNT: 0 .. most. SWITCH: 0 or
-   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. kind: who sets it. looks: the condition under
-   which a pass looks at it (NULL: any may); elsewhere it is resolved to 0. */
+/* One row for each field, in the struct's order. #if lines use the same names and words. COUNT: 0 .. most. SWITCH: 0 or
+   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. kind: who sets the field. looks: the condition
+   under which a pass looks at the field (NULL: every one may); otherwise the field is resolved to 0. */
 typedef struct ssgi_gl__field {
     ssgi_gl_choice choice;
     const char *looks;
-    const char *nearest; /* the sentence on a name that is nearest to this one */
+    const char *nearest; /* the sentence on an unknown name that is nearest to this field's */
 } ssgi_gl__field;
 
 #define SSGI_GL__NEAREST(name) "name: there is no such field; the nearest is " name
@@ -6449,8 +6460,8 @@ enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields)
 
 typedef struct ssgi_gl__dialect {
     const char *name, *version;
-    const char *head; /* behind the version, be it ours or yours */
-    const char *set;  /* in layout(), before a binding; NULL: no layout(binding) */
+    const char *head; /* stands behind the version, be it ours or yours */
+    const char *set;  /* stands in layout() before a binding; NULL: no layout(binding) */
     int textures;     /* binding of texture unit 0, unless desc.shader.dense */
 } ssgi_gl__dialect;
 
@@ -6467,7 +6478,7 @@ static const ssgi_gl__dialect ssgi_gl__dialects[] = {
     { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = %d, ", 2 }
 };
 
-/* A field of a desc or of a chain. */
+/* Returns the value of a field of a desc or of a chain. */
 static int ssgi_gl__get(const void *from, size_t offset)
 {
     int value;
@@ -6477,8 +6488,8 @@ static int ssgi_gl__get(const void *from, size_t offset)
 
 struct ssgi_gl__rule;
 
-/* What a condition is asked about: fields of a desc; those that `after` names, blanks between, as the rules resolve
-   them. */
+/* The desc with whose fields a condition is evaluated. Fields that `after` names, separated by blanks, count as the
+   rules resolve them, all others as given. */
 typedef struct ssgi_gl__asked {
     const ssgi_gl_desc *d;
     const char *after;
@@ -6499,62 +6510,63 @@ static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d)
 /* Choices that do not go together: a condition as in #if lines, and the sentence of the error. */
 static const char *const ssgi_gl__refusals[][2] = {
     { "pass == HSAO && search == POINTS",
-      "desc.gather.search: hsao is SSGI_GL_SEARCH_SLICES or _MARCH; points are ssao's" },
+      "desc.gather.search: hsao is by SSGI_GL_SEARCH_SLICES or _MARCH; it is ssao that samples points" },
     { "falloff == NONE && (pass == SSAO || ((pass == SSDO || pass == S3HO) && search == POINTS))",
-      "desc.gather.falloff: points are distributed by it: SSGI_GL_FALLOFF_LINEAR or _SQUARE" },
+      "desc.gather.falloff: must be SSGI_GL_FALLOFF_LINEAR or _SQUARE for points, which it distributes" },
     { "(pass == SSDO || pass == S3HO) && search == MARCH",
-      "desc.gather.search: only hsao marches; ssdo and s3ho are SSGI_GL_SEARCH_SLICES or _POINTS" },
+      "desc.gather.search: must be SSGI_GL_SEARCH_SLICES or _POINTS for ssdo and s3ho; only hsao marches" },
     { "pass == HSAO && search == SLICES && normal_rays",
-      "desc.gather.normal_rays: only SSGI_GL_SEARCH_MARCH has them; slices see above the horizon" },
+      "desc.gather.normal_rays: need SSGI_GL_SEARCH_MARCH; slices also look above the horizon" },
     { "by_slices && layers > 1",
       "desc.gather.layers: slices read visible surfaces and their slabs (desc.gather.thickness); hidden layers "
       "need SSGI_GL_SEARCH_POINTS or _MARCH" },
     { "by_slices && views",
       "desc.gather.views: slices read visible surfaces and their slabs (desc.gather.thickness); extra cameras need "
       "SSGI_GL_SEARCH_POINTS or _MARCH" },
-    { "two_sided && one_sided", "desc.light.one_sided: emitters have one side or two: desc.light.two_sided is 1" },
+    { "two_sided && one_sided", "desc.light.one_sided: must be 0 if desc.light.two_sided is 1" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
-      "desc.light.bounce: patches are those of SSGI_GL_SEARCH_POINTS; slices have SOLID_ANGLE" },
+      "desc.light.bounce: SSGI_GL_BOUNCE_PATCH needs SSGI_GL_SEARCH_POINTS; slices need _SOLID_ANGLE" },
     { "thickness > SOLID && occludes && (layers > 1 || views)",
-      "desc.gather.thickness: widths and back faces are those of one layer and camera; layers and views want "
+      "desc.gather.thickness: widths and back faces are known of one layer of one camera; layers and views need "
       "SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.input.world_normals: normals from depth are in view space" },
     { "resolution && (pass == BLUR || pass == HISTORY) && filter == GAUSSIAN",
-      "desc.filter.kind: only SSGI_GL_FILTER_BILATERAL brings half size to full" },
+      "desc.filter.kind: must be SSGI_GL_FILTER_BILATERAL unless the gather is at full resolution" },
     { "(pass == HISTORY || pass == CHANGE_MASK) && quantity == COEFFICIENTS",
-      "desc.filter.quantity: history has SSGI_GL_QUANTITY_VISIBILITY and _LIGHT; coefficients are shaded first" },
+      "desc.filter.quantity: history averages SSGI_GL_QUANTITY_VISIBILITY or _LIGHT; shade coefficients first" },
     { "pass == SSDO && !environment && !bounce",
       "desc.light.environment: ssdo needs an environment, a bounce or both" },
     { "transfer && !packed_coefficients && ((pass == S3HO && !shaded) || pass == SHADE || "
       "(pass == BLUR && quantity == COEFFICIENTS))",
-      "desc.light.packed_coefficients: three sets of coefficients need it: there are fewer targets than floats" },
+      "desc.light.packed_coefficients: must be 1 for the three sets of coefficients that desc.light.transfer needs: "
+      "as floats they have too many targets" },
     { "pass == SHADE && shading && (bands == 1 || transfer)",
       "desc.light.shading: a mean direction needs one set of coefficients (desc.light.transfer), of 2 bands or more" },
     { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
-      "desc.light.restore: reflected light may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
+      "desc.light.restore: must be SSGI_GL_RESTORE_DIFFERENCE, as reflected light may exceed unoccluded light" },
     { "pass == S3HO && transfer && occluded_emitters && (layers > 1 || views)",
-      "desc.light.occluded_emitters: the last frame's coefficients are of visible surfaces: not with "
-      "desc.gather.layers or "
-      ".views" },
+      "desc.light.occluded_emitters: must be 0 with desc.gather.layers or .views, as the last frame has coefficients "
+      "of visible surfaces only" },
     { "harmonics == CUSTOM && residual",
-      "desc.light.residual: is of frame.harmonics' light: SSGI_GL_HARMONICS_CUSTOM has none" },
+      "desc.light.residual: must be 0 with SSGI_GL_HARMONICS_CUSTOM, as only frame.harmonics have a residual" },
     { "multisampled && (dialect == 300ES || array || receiver)",
-      "desc.input.multisampled: not in SSGI_GL_DIALECT_300ES, nor with desc.input.array or desc.light.receiver: "
+      "desc.input.multisampled: must be 0 in SSGI_GL_DIALECT_300ES, and with desc.input.array or desc.light.receiver: "
       "resolve to plain textures" },
     { "array && (layers > 1 || receiver)",
-      "desc.input.array: hidden layers (desc.gather.layers, .receiver) are array layers themselves" },
-    { "receiver && normal == FROM_DEPTH", "desc.light.receiver: hidden layers need their normals" },
+      "desc.input.array: must be 0 with desc.gather.layers or desc.light.receiver, whose textures are arrays already" },
+    { "receiver && normal == FROM_DEPTH", "desc.light.receiver: hidden layers need normals of their own" },
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_DIALECT_VULKAN ssgi_surfels makes them on the CPU" },
     { "compute && (dialect == 330 || dialect == 410 || dialect == 300ES)",
       "desc.shader.compute: needs SSGI_GL_DIALECT_450, _310ES, _320ES or _VULKAN" },
     { "compute && (pass == AOF || surfel_pass || pass == DEINTERLEAVE || pass == SMOOTH)",
-      "desc.shader.compute: aof, surfels and dss draw geometry, deinterleave and smooth leave texels out: "
+      "desc.shader.compute: aof, surfels and dss draw geometry, deinterleave and smooth leave texels out: must be "
       "SSGI_GL_COMPUTE_NONE" },
     { "compute && (pass == COMPOSE || (onto && pass == BLUR && quantity == VISIBILITY))",
-      "desc.shader.compute: blends nothing onto your picture (compose, desc.filter.onto): SSGI_GL_COMPUTE_NONE" },
+      "desc.shader.compute: blends nothing onto your picture (compose, desc.filter.onto): must be "
+      "SSGI_GL_COMPUTE_NONE" },
     { "uniforms && dialect == VULKAN",
-      "desc.shader.uniforms: SSGI_GL_DIALECT_VULKAN has uniforms in blocks alone: SSGI_GL_UNIFORMS_BLOCK" },
+      "desc.shader.uniforms: must be SSGI_GL_UNIFORMS_BLOCK, as SSGI_GL_DIALECT_VULKAN has uniforms in blocks alone" },
     { "tessellate && (pass == SURFELS || pass == DSS) && dialect != 410 && dialect != 450 && dialect < 320ES",
       "desc.surfel.tessellate: needs tessellation shaders: SSGI_GL_DIALECT_410, _450, _320ES or _VULKAN" }
 };
@@ -6576,8 +6588,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
             || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
                                "sends == CUSTOM || effect == CUSTOM || harmonics == CUSTOM",
                                desc),
-        "desc.shader.fetch: must hold those that are CUSTOM of ssgi_custom_depth, _normal, _object, _surfel, "
-        "_effect and _reach, _harmonic");
+        "desc.shader.fetch: must define the functions of fields that are CUSTOM: ssgi_custom_depth, _normal, _object, "
+        "_surfel, _effect and _reach, _harmonic");
     return SSGI_OK;
 }
 
@@ -6586,24 +6598,25 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
     return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i].choice : NULL;
 }
 
-/* The fields that a preset sets. Points keep slices and normal_rays as they are, slices directions, range_check and
-   fade. */
+/* The fields that a preset sets. For points it leaves slices and normal_rays as they are; for slices it leaves
+   directions, range_check and fade. */
 typedef struct ssgi_gl__preset {
     int resolution, slices, directions, samples, normal_rays;
     int fades;    /* 1: range_check, and fade SMOOTH */
-    int constant; /* slices   1: thickness CONSTANT, 0: DEFAULT */
+    int constant; /* for slices   1: thickness CONSTANT, 0: DEFAULT */
 
-    struct { /* a stage of the filter */
+    struct {
         int kind, radius;
     } filter;
 } ssgi_gl__preset;
 
-/* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.gather.search,
-   then the slices of SSGI_GL__PRESET_LIT. Errors are means of 14 scenes by seed at 1280x720, over that of no AO; times
-   are those of make cost's model of a Radeon RX 6800 at 1920x1080. A filter of radius 2 takes the noise of hsao to a
-   half at the same error, and two more samples take the error from .417 to .402, on each scene. With radius 1 these
-   have .403 for .03 ms less, and two thirds more noise in the two finest bands. At full size radius 2 gains .0007; of
-   ssdo it gains .006 for a quarter more time. */
+/* Rows stand in the order of the passes' column preset, from SSGI_GL__PRESET_SSAO on. SSGI_GL__PRESET_SEARCH has a row
+   for each value of desc.gather.search, and SSGI_GL__PRESET_LIT the last row, for its slices. In the following, errors
+   are means of 14 scenes by seed at 1280x720, relative to no ambient occlusion; times are those of a Radeon RX 6800 at
+   1920x1080, as make cost models it. A filter of radius 2 halves the noise of hsao at the same error, and two more
+   samples take the error from .417 to .402, in each scene. With radius 1 the same samples have .403 and take .03 ms
+   less, but have two thirds more noise in the two finest bands. At full resolution radius 2 lowers the error by .0007;
+   of ssdo it lowers it by .006, and takes a quarter more time. */
 /* clang-format off */
 static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
     /* resolution, slices, directions, samples, normal_rays, fades, constant, filter: BILATERAL is 0 */
@@ -6619,7 +6632,7 @@ static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
     { { 1, 1,  0, 10, 0, 0, 1, { 0, 2 } },       /* slices of hsao: FAST */
       { 1, 2,  0,  8, 0, 0, 0, { 0, 2 } },       /*                 BALANCED */
       { 0, 2,  0,  7, 0, 0, 0, { 0, 1 } } },     /*                 BEST */
-    /* Several points lie along a direction, as single ones miss more. */
+    /* Several points lie along each direction, as a single one would miss more occluders. */
     { { 1, 0,  4,  4, 0, 1, 0, { 0, 1 } },       /* points of ssdo, s3ho: FAST */
       { 0, 0,  4,  4, 0, 1, 0, { 0, 1 } },       /*                       BALANCED */
       { 0, 0,  8,  6, 0, 1, 0, { 0, 1 } } },     /*                       BEST */
@@ -6678,7 +6691,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
                                                    SSGI_GL_THICKNESS_BACK, SSGI_GL_THICKNESS_SLABS };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_METHOD_NOTHING && plan->method <= SSGI_PLAN_METHOD_AOF,
-                   "plan: must not be NULL, and of something");
+                   "plan: must not be NULL, and plan.method must not be SSGI_PLAN_METHOD_NOTHING");
     SSGI_GL__CHECK(plan->thickness >= SSGI_PLAN_THICKNESS_WIDTH && plan->thickness <= SSGI_PLAN_THICKNESS_SLABS,
                    "plan.thickness: must be SSGI_PLAN_THICKNESS_WIDTH, _CONSTANT, _BACK or _SLABS");
     ssgi_gl_desc d = *desc;
@@ -6703,10 +6716,11 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     return SSGI_OK;
 }
 
-/* The value of a field where a pass looks at it (`looks`), or has it although it does not: the row whose condition
-   holds, of which there is one at most; else it stays as given. Conditions read the desc as given, but for the fields
-   that `after` names, which they read resolved. So s3ho has a bounce where it has a transfer, and an environment SH
-   where its coefficients hold unoccluded directions: #if lines need not ask for the pass. */
+/* If the condition of a row holds, the field has the value of that row; of one field at most one row holds. If none
+   holds, the field stays as given, or is 0 if the pass does not look at it. Conditions compare fields as given, except
+   those that `after` names, which they compare as resolved. A row may give a value to a field at which the pass does
+   not look, so that #if lines need not ask for the pass: s3ho has a bounce if it has a transfer, and an environment SH
+   if its coefficients hold unoccluded directions. */
 typedef struct ssgi_gl__rule {
     size_t field; /* its offset */
     const char *when;
@@ -6730,7 +6744,7 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
     { SSGI_GL__AT(gather.resolution), "!any_size && !averages && at_half", SSGI_GL_RESOLUTION_HALF, NULL },
     { SSGI_GL__AT(gather.thickness), "measures && !thickness", SSGI_GL_THICKNESS_WIDTH, NULL },
     { SSGI_GL__AT(gather.thickness), "occludes && !thickness", SSGI_GL_THICKNESS_CONSTANT, NULL },
-    /* Pass thickness reads the back faces. */
+    /* Only pass thickness reads the back faces; slices read its result, as with WIDTH. */
     { SSGI_GL__AT(gather.thickness), "by_slices && thickness == BACK", SSGI_GL_THICKNESS_WIDTH, NULL },
     { SSGI_GL__AT(gather.layers), "(by_points || by_march || pass == EMITTERS) && !layers", 1, NULL },
     { SSGI_GL__AT(gather.view_layers), "(by_points || by_march) && !view_layers", 1, NULL },
@@ -6772,7 +6786,7 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
 
 enum { SSGI_GL__RULES = (int)(sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules) };
 
-/* Returns a field of a desc as it is resolved by so many rules, in any order. */
+/* Returns the value of a field as `count` rules resolve it, whose order does not matter. */
 static int ssgi_gl__resolved(const ssgi_gl__field *field, const ssgi_gl_desc *d, const ssgi_gl__rule *rules, int count)
 {
     ssgi_gl__asked asked = { d, NULL, rules, count };
@@ -6818,7 +6832,7 @@ static size_t ssgi_gl__word(const char **s)
     return n;
 }
 
-/* Whether a word is `name`, or its macro, SSGI_NAME. Most words differ by their first letter. */
+/* Whether a word is `name`, or its macro, SSGI_NAME. First letters are compared first, as most of them differ. */
 static int ssgi_gl__is(const char *name, const char *word, size_t length)
 {
     size_t i = 0;
@@ -6837,8 +6851,8 @@ static const ssgi_gl__field *ssgi_gl__field_named(const char *word, size_t lengt
     return NULL;
 }
 
-/* Facts that conditions name, too. Those of the pass's row: its column, less SSGI_GL__, and the value there. Others are
-   conditions themselves, of the desc as given. */
+/* Conditions may name these facts as they name fields. A fact holds if the pass's row has these values in its columns,
+   and if `when` holds, a condition on the desc as given. */
 static const struct {
     const char *name, *when;
     signed char search, thickness, scale; /* -1: any */
@@ -6851,17 +6865,17 @@ static const struct {
     { "at_any", NULL, -1, -1, SSGI_GL__SCALE_CHOSEN },
     { "at_levels", NULL, -1, -1, SSGI_GL__SCALE_LEVELS },
     { "any_size", "at_any || at_levels", -1, -1, -1 },
-    /* Its depths are those of t_ssgi_thickness. */
+    /* The pass reads depth from t_ssgi_thickness. */
     { "measured", "occludes && thickness > SOLID && (thickness == WIDTH || search == SLICES)", -1, -1, -1 },
     { "by_slices", "searches && search == SLICES", -1, -1, -1 },
     { "by_march", "searches && search == MARCH", -1, -1, -1 },
     { "by_points", "has_points || (searches && search == POINTS)", -1, -1, -1 },
     { "gathers", "pass == SSAO || searches", -1, -1, -1 },
     { "averages", "pass == BLUR || pass == HISTORY", -1, -1, -1 },
-    { "filters", "averages || pass == COMPOSE", -1, -1, -1 }, /* ssgi_gl_read reads as compose what is filtered */
+    { "filters", "averages || pass == COMPOSE", -1, -1, -1 }, /* COMPOSE: ssgi_gl_read of filtered results */
     { "surfel_pass", "pass == SURFELS || pass == DSS", -1, -1, -1 },
     { "splats", "pass == DSS || pass == DEINTERLEAVE || pass == SMOOTH || pass == SUM", -1, -1, -1 },
-    { "loads", "pass == SHADE || (pass == BLUR && quantity == COEFFICIENTS)", -1, -1, -1 }, /* coefficients */
+    { "loads", "pass == SHADE || (pass == BLUR && quantity == COEFFICIENTS)", -1, -1, -1 }, /* loads coefficients */
     { "coefficients", "pass == S3HO || loads || (pass == COMPOSE && quantity == COEFFICIENTS)", -1, -1, -1 },
     { "reflected", "(pass == S3HO || loads) && transfer == REFLECTED", -1, -1, -1 },
     { "restores", "averages && quantity == LIGHT && restore && (environment || !bounce) && transfer != REFLECTED", -1,
@@ -6885,7 +6899,7 @@ static int ssgi_gl__fact(const char *word, size_t length, const ssgi_gl_desc *d)
     return -1;
 }
 
-/* Whether a list of names with blanks between has a name. */
+/* Whether a list of names, separated by blanks, has this name. */
 static int ssgi_gl__lists(const char *names, const char *name)
 {
     size_t n;
@@ -6901,7 +6915,7 @@ static int ssgi_gl__resolved(const ssgi_gl__field *field, const ssgi_gl_desc *d,
 static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)
 {
     const char *s = field->values;
-    const size_t group = 6 + strlen(field->name); /* of SSGI_FIELD_ */
+    const size_t group = 6 + strlen(field->name); /* length of SSGI_FIELD_ */
     size_t n;
     int value = 0;
     if (length > group && !memcmp(name, "SSGI_", 5)) {
@@ -6914,7 +6928,7 @@ static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t 
     return length ? -1 : value;
 }
 
-/* asked NULL: only goes past it, as what is before it decides. */
+/* Returns whether an operand holds. asked NULL: only moves *s behind it, since the operands before it decide. */
 static int ssgi_gl__operand(const char **s, const ssgi_gl__asked *asked)
 {
     size_t n = ssgi_gl__word(s);
@@ -6965,9 +6979,9 @@ static int ssgi_gl__any(const char **s, const ssgi_gl__asked *asked)
 typedef struct ssgi_gl__reader {
     const char *at; /* the rest, which is not read yet */
     const ssgi_gl_desc *d;
-    int line;      /* of the header */
+    int line;      /* its number in this header */
     int depth;     /* how many #if are open */
-    char state[8]; /* of each of them: '+' kept, '-' not yet, '.' no more */
+    char state[8]; /* of each open #if: '+' its lines are kept, '-' no branch held yet, '.' a branch has ended */
 } ssgi_gl__reader;
 
 /* Returns the next line that is kept, without its newline; NULL after the last. */
@@ -6998,8 +7012,8 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 }
 
 /* ---- linking: a kept line keeps the entries that it names */
-/* A hash table, with open addresses. It is never full: a kept line names entries, rows and a few functions of
-   desc.shader.fetch, and all of these together leave slots empty, else the second line does not compile. */
+/* A hash table with open addressing. It is never full: it holds names of entries, of rows and of a few functions of
+   desc.shader.fetch, and the typedef below does not compile if entries and rows fill half of the slots. */
 enum { SSGI_GL__SLOTS = 1024 };
 
 typedef char ssgi_gl__slots_suffice[SSGI_GL__CODES + SSGI_GL__ROWS < SSGI_GL__SLOTS / 2 ? 1 : -1];
@@ -7027,7 +7041,7 @@ static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, i
     }
 }
 
-/* Adds our names in a line of GLSL: ssgi_*, SSGI_*, and u_ssgi_* and the like; not those in comments. */
+/* Adds the library's names in a line of GLSL, ssgi_*, SSGI_*, u_ssgi_* and the like, except those in its comment. */
 static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 {
     while (s < end && !(s[0] == '/' && s[1] == '/')) {
@@ -7046,10 +7060,10 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 
 typedef struct ssgi_gl__stage {
     unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS]; /* 1: kept */
-    unsigned char fetch;                                    /* 1: desc.shader.fetch is read; 2: and calls ssgi_decode */
+    unsigned char fetch;                                    /* 1: it needs desc.shader.fetch; 2: and ssgi_decode */
 } ssgi_gl__stage;
 
-/* How many pixels of the image a texel of a pass's targets stands for, in a row: 1, 2, 4 or 8. d: resolved. */
+/* How many pixels a texel of a pass's targets covers, in x and in y: 1, 2, 4 or 8. d: a resolved desc. */
 static int ssgi_gl__part(const ssgi_gl_desc *d)
 {
     const int scale = ssgi_gl__pass_of(d->pass)->scale;
@@ -7059,16 +7073,16 @@ static int ssgi_gl__part(const ssgi_gl_desc *d)
     return d->gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? 4 : 2;
 }
 
-/* The uniforms that the main function of a compute stage reads: ssgi_gl__print_compute. Stores beyond a picture of
-   levels, which has its textures for itself, are harmless. */
+/* The uniforms that the main function of a compute stage reads, which ssgi_gl__print_compute prints. A picture of
+   levels needs none: it has its textures for itself, so that stores beyond it are harmless. */
 static const char *ssgi_gl__reads_of_compute(const ssgi_gl_desc *d)
 {
     const int levels = ssgi_gl__pass_of(d->pass)->scale == SSGI_GL__SCALE_LEVELS;
     return d->shader.compute && !levels ? "u_ssgi_size u_ssgi_target" : "";
 }
 
-/* Goes from the last function to the first, and keeps each that the roots or a kept function name; then the rows that
-   these name. */
+/* Goes from the last function to the first, and keeps each that the roots or a kept function name. Then keeps the rows
+   that the kept functions name. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
     const int decodes = d->shader.fetch && strstr(d->shader.fetch, "ssgi_decode");
@@ -7102,8 +7116,8 @@ typedef struct ssgi_gl__program {
     ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
-/* Links all stages of a resolved desc, since rows are shared between them. Returns 0 where the pass does not have
-   `stage`, before it links; SSGI_GL_STAGES asks for none. */
+/* Links all stages of a resolved desc, since they share rows. If the pass does not have the stage `stage`, returns 0
+   and links nothing. SSGI_GL_STAGES: no stage is asked for. */
 static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *resolved, int stage)
 {
     memset(p, 0, sizeof *p);
@@ -7136,8 +7150,8 @@ static const char *ssgi_gl__word_of(const ssgi_gl_shader_desc *text, const char 
     return text->compute && length + 1 == sizeof place && !memcmp(word, place, length) ? "ssgi_at" : word;
 }
 
-/* Returns the id by which a count may be specialised; 0: the shader depends on it otherwise, as on the samples of a
-   table. */
+/* Returns the id by which a count may be specialised. 0: it may not, as the source depends on it, such as the length of
+   a table of directions. */
 static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
 {
     static const char *const counts[] = { "SSGI_SLICES", "SSGI_SAMPLES", "SSGI_DIRECTIONS" };
@@ -7147,9 +7161,9 @@ static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
     return 0;
 }
 
-/* Gives a texture, a storage image or a member of a block the place that the shader has in VULKAN. block: the bindings
-   of the blocks that rows before it are of, -1: none yet; count: how many blocks and textures there are before it, and
-   how many textures in all. */
+/* Gives a texture, a storage image or a member of a block the set and the binding that the shader has in VULKAN. block:
+   the bindings of both blocks, -1 until a row of the block has come. count: how many blocks and how many textures have
+   come, and how many textures there are in all. */
 static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int block[2], int count[3])
 {
     if (text->dialect != SSGI_GL_DIALECT_VULKAN) return;
@@ -7169,14 +7183,15 @@ static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int 
     }
 }
 
-/* Collects the rows of a stage, or with SSGI_GL_STAGES of all, each once; a uniform block has the same members in each
-   stage that reads any, loose uniforms are those that the stage reads. Returns how many there are. */
+/* Collects the rows of a stage, or with SSGI_GL_STAGES of all stages, each once. A uniform block has the same members
+   in each stage that reads any of them; a loose uniform is in the stages that read it. Returns how many rows there
+   are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
     int n = 0, next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block[2] = { 0 }, bound[2] = { -1, -1 }, count[3] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_IO_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
-    for (int i = 0; i < SSGI_GL__ROWS; ++i) /* A compute stage is the only one. */
+    for (int i = 0; i < SSGI_GL__ROWS; ++i) /* A compute stage has no others beside it. */
         count[2] += p->stage[SSGI_GL_STAGE_COMPUTE].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_IO_TEXTURE;
     for (int i = 0; i < SSGI_GL__ROWS; ++i) {
         ssgi_gl_io io = ssgi_gl__rows[i].io;
@@ -7192,7 +7207,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         else if (io.kind == SSGI_GL_IO_TEXTURE && ssgi_gl__rows[i].bytes && p->d.input.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_IO_CAPTURE && p->mains[SSGI_GL_STAGE_GEOMETRY] && stage >= SSGI_GL_STAGE_GEOMETRY)
-            continue; /* It goes from stage to stage; the outputs of the last one are captured. */
+            continue; /* It goes on to the geometry stage, which declares it, and is not captured. */
         const int in_block = io.kind == SSGI_GL_IO_PARAM && !p->d.shader.uniforms;
         if (stage < SSGI_GL_STAGES && !(in_block ? block[io.slot] : p->stage[stage].row[i])) continue;
         io.type = ssgi_gl__word_of(&p->d.shader, io.type, strlen(io.type));
@@ -7216,7 +7231,8 @@ static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)
     }
 }
 
-/* printf with %s, %d, and %f of 7 decimals [limit: below 100]. By integers, as the C library's follow the locale. */
+/* printf with %s, %d, and %f of 7 decimals [limit: below 100]. It computes digits by integers, as the C library's
+   printf follows the locale. */
 static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
 {
     va_list args;
@@ -7253,8 +7269,8 @@ static void ssgi_gl__print_place(ssgi_gl__text *t, const char *before, const cha
     ssgi_gl__print(t, "binding = %d", io->binding);
 }
 
-/* Prints a uniform block: members in the order of its struct, which is that of the rows; gaps where this pass reads
-   nothing. Loose uniforms have neither block nor gaps. */
+/* Prints a uniform block. Its members have the order of the struct and of the rows; gaps stand for members that this
+   pass does not read. Loose uniforms have neither block nor gaps. */
 static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set, int loose)
 {
     size_t at = 0;
@@ -7292,8 +7308,9 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples, int uniform)
     ssgi_gl__print(t, ");\n");
 }
 
-/* Prints a line in the words of Vulkan or of a compute stage. Varyings get locations; place holds the next one out and
-   the next one in. What a compute stage stores is a variable by its output's name with another first letter. */
+/* Prints a line in the words of Vulkan or of a compute stage. Varyings get locations; place holds the next location of
+   an output, and of an input. In a compute stage an output is a variable, which is stored at the end; its name begins
+   with r in place of o. */
 static void ssgi_gl__put_words(ssgi_gl__text *t, const char *s, size_t length, const ssgi_gl_shader_desc *text,
                                int place[2])
 {
@@ -7315,10 +7332,10 @@ static void ssgi_gl__put_words(ssgi_gl__text *t, const char *s, size_t length, c
     }
 }
 
-/* Prints a line of a kept function; where your textures are arrays (desc.input.array) it fetches them from a layer. */
+/* Prints a line of a kept function. If your textures are arrays (desc.input.array), it fetches them from a layer. */
 static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t length, const ssgi_gl_desc *d, int place[2])
 {
-    static const char flat[] = ", pixel + u_ssgi_origin"; /* A slice is put in where ", 0" follows. */
+    static const char flat[] = ", pixel + u_ssgi_origin"; /* Before ", 0" a layer is put in. */
     const char *yours = d->input.array ? strstr(line, ", pixel + u_ssgi_origin, 0") : NULL;
     if (d->shader.compute && !strncmp(line, "void main()", 11)) {
         ssgi_gl__print(t, "void ssgi_main()");
@@ -7362,7 +7379,7 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
 
 static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise, int rgba8, const ssgi_gl_io *out);
 
-/* Prints the storage images of a compute stage, the variables that they are stored from, and its texel. */
+/* Prints the storage images of a compute stage, the variables whose values they store, and ssgi_at. */
 static void ssgi_gl__print_images(ssgi_gl__text *t, const ssgi_gl_desc *d, const ssgi_gl_io *io, int n, const char *set)
 {
     for (int i = 0; i < n; ++i) {
@@ -7377,7 +7394,7 @@ static void ssgi_gl__print_images(ssgi_gl__text *t, const ssgi_gl_desc *d, const
                        io[i].name, io[i].format);
         ssgi_gl__print(t, "%s r%s;\n", io[i].type, io[i].name + 1);
     }
-    ssgi_gl__print(t, "ivec2 ssgi_at; // this invocation's texel of them\n");
+    ssgi_gl__print(t, "ivec2 ssgi_at; // the texel that this invocation stores\n");
 }
 
 /* Prints the main function of a compute stage, around that of the pass. */
@@ -7465,7 +7482,7 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
 {
     ssgi_gl__program p;
-    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the very texts */
+    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the source of all stages */
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     const ssgi_gl_desc d = ssgi_gl_resolve(desc);
     ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
@@ -7550,7 +7567,7 @@ SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *des
         d.filter.quantity = SSGI_GL_QUANTITY_LIGHT;
     else if (pass == SSGI_GL_PASS_S3HO) d.filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS;
     else if (!filters || (pass == SSGI_GL_PASS_BLUR && !d.filter.quantity)) return 0;
-    /* Filtered results are read as compose reads them, those of gathers as blur does. */
+    /* Filtered results are read as compose reads them, and results of gathers as blur does. */
     d.pass = filters || surfels || pass == SSGI_GL_PASS_LIGHTS ? SSGI_GL_PASS_COMPOSE : SSGI_GL_PASS_BLUR;
     d.filter.kind = SSGI_GL_FILTER_BILATERAL;
     d.shader.lines = 0;
@@ -7603,16 +7620,16 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
 #define SSGI_GL__FUNC_ADD 0x8006u
 #define SSGI_GL__FUNC_REVERSE_SUBTRACT 0x800bu
 #define SSGI_GL__LINEAR 0x2601u
-#define SSGI_GL__NEAREST_MIPMAP_NEAREST 0x2700u /* the first of the filters between mip levels, which are the last */
+#define SSGI_GL__NEAREST_MIPMAP_NEAREST 0x2700u /* filters between mip levels begin at this number */
 #define SSGI_GL__DEPTH_COMPONENT 0x1902u
 #define SSGI_GL__DEPTH_COMPONENT16 0x81a5u /* 24 and 32 follow */
 #define SSGI_GL__DEPTH_COMPONENT32 0x81a7u
 #define SSGI_GL__DEPTH24_STENCIL8 0x88f0u
 #define SSGI_GL__DEPTH_COMPONENT32F 0x8cacu
 #define SSGI_GL__DEPTH32F_STENCIL8 0x8cadu
-#define SSGI_GL__R8I 0x8231u /* of one and two channels all integers are between these */
+#define SSGI_GL__R8I 0x8231u /* integers of one and two channels lie from this to the next */
 #define SSGI_GL__RG32UI 0x823cu
-#define SSGI_GL__RGBA32UI 0x8d70u /* of three and four channels between these */
+#define SSGI_GL__RGBA32UI 0x8d70u /* integers of three and four channels, likewise */
 #define SSGI_GL__RGB8I 0x8d8fu
 
 /* Formats of targets: by their channels, then by the kind of number. Columns as in ssgi_gl_format. GL's numbers are RED
@@ -7633,20 +7650,20 @@ static const ssgi_gl_format ssgi_gl__formats[SSGI_GL__CHANNELS][SSGI_GL__KINDS] 
       { "RGBA32F", 0x8814, 0x1908, 0x1406, 16, 109, "VK_FORMAT_R32G32B32A32_SFLOAT", "rgba32float" },
       { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16, 107, "VK_FORMAT_R32G32B32A32_UINT", "rgba32uint" } }
 };
-/* second, by ssgi_gl_chain.rgba8 */
+/* the index is ssgi_gl_chain.rgba8 */
 static const ssgi_gl_format ssgi_gl__bytes[2] = {
     { "R8", 0x8229, 0x1903, 0x1401, 1, 9, "VK_FORMAT_R8_UNORM", "r8unorm" },
     { "RGBA8", 0x8058, 0x1908, 0x1401, 4, 37, "VK_FORMAT_R8G8B8A8_UNORM", "rgba8unorm" }
 };
 
-/* By ssgi_gl_input.meaning: the texture's name less t_ssgi_. */
+/* By ssgi_gl_input.meaning: the texture's name without t_ssgi_. */
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
     "depth",  "layers",    "back",   "views",   "normal",      "albedo",     "normal",
     "albedo", "direct",    "noise",  "kernel",  "environment", "irradiance", "lights",
     "shadow", "occluders", "fields", "objects", "motion",      "ambient",    "cap"
 };
 
-/* Those that are as large as the picture, a bit each by meaning. */
+/* Your textures that are as large as the picture: a bit for each, by its meaning. */
 enum {
     SSGI_GL__OF_PICTURE = 1 << SSGI_GL_YOUR_DEPTH | 1 << SSGI_GL_YOUR_LAYERS | 1 << SSGI_GL_YOUR_BACK
                         | 1 << SSGI_GL_YOUR_NORMAL | 1 << SSGI_GL_YOUR_ALBEDO | 1 << SSGI_GL_YOUR_DIRECT
@@ -7660,13 +7677,13 @@ typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
     ssgi_gl_step *steps, spare; /* spare takes the steps beyond the capacity */
     int capacity, count;
-    int textures;      /* numbers given so far */
-    int light, bounce; /* which of them hold the result; -1: none */
-    int depth;         /* which keeps view depth for the next frame; -1: none */
-    int picture;       /* 1: a step has drawn onto yours */
+    int textures;      /* how many textures have a number so far */
+    int light, bounce; /* the numbers of those that hold the result; -1: none */
+    int depth;         /* the number of that which keeps view depth for the next frame; -1: none */
+    int picture;       /* 1: a step has drawn onto your picture */
     const char *why;   /* the sentence of an error; NULL: there is none */
 
-    /* the texture that was last written under a name, less o_ssgi_ or t_ssgi_; -1: none */
+    /* the texture that was last written under each name, which stands without o_ssgi_ or t_ssgi_; -1: none */
     int names;
 
     struct {
@@ -7687,13 +7704,13 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
     return &b->written[i].texture;
 }
 
-/* Returns the format of an output: the channels that it needs, in as few bits as chain.precise lets it have. d:
-   resolved. rgba8: that of the chain. */
+/* Returns the format of an output: the channels that it needs, in as few bits as `precise` lets it have. d: a resolved
+   desc. precise, rgba8: as in ssgi_gl_chain. */
 static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise, int rgba8, const ssgi_gl_io *out)
 {
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
     const int single = *out->type == 'f', whole = *out->type == 'u';
-    const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole where they are packed */
+    const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole if they are packed */
     /* GLES does not blend 32-bit floats. */
     const int gles = d->shader.dialect >= SSGI_GL_DIALECT_300ES && d->shader.dialect < SSGI_GL_DIALECT_VULKAN;
     const int blended = ssgi_gl__pass_of(d->pass)->blend != SSGI_GL__BLEND_ONTO;
@@ -7711,7 +7728,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise,
     return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
 
-/* Sets where a step draws: the image's size in its targets. d: resolved. */
+/* Sets the size of the image that a step draws into its targets. d: a resolved desc. */
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
     const int column = ssgi_gl__pass_of(d->pass)->scale;
@@ -7729,7 +7746,7 @@ static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, cons
     }
 }
 
-/* Sets primitives, how many vertices they have, and how they are blended. d: resolved. */
+/* Sets the primitives, how many vertices there are, and how they are blended. d: a resolved desc. */
 static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
 {
     static const unsigned multiply[3] = { SSGI_GL__FUNC_ADD, SSGI_GL__DST_COLOR, SSGI_GL__ZERO };
@@ -7784,9 +7801,9 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->meaning = -1;
     in->last = ssgi_gl__pass_of(d->pass)->texture == SSGI_GL__TEXTURE_KEPT
             && (!strcmp(name, "history") || !strcmp(name, "means"));
-    /* Pass history reads its own outputs of the last frame. They are numbered next, in the order of their rows: of
-       light that is o_ssgi_means, then o_ssgi_light, and with desc.light.restore o_ssgi_history before both. Another
-       input that no step has written yet is -1; ssgi_gl__left_by_last finds it. */
+    /* Pass history reads its own outputs of the last frame. This step's outputs get the next numbers, in the order of
+       their rows: for light o_ssgi_means, then o_ssgi_light, and with desc.light.restore o_ssgi_history before both.
+       Any other input that no step has written yet is -1 here; ssgi_gl__left_by_last finds it later. */
     in->texture = !in->last
                     ? *ssgi_gl__texture(b, name)
                     : b->textures + (d->filter.quantity && !strcmp(name, d->light.restore ? "means" : "history"));
@@ -7801,14 +7818,14 @@ static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_
     out->set = row->set;
     out->binding = row->binding;
     out->kept = texture == SSGI_GL__TEXTURE_KEPT && !(d->light.restore && !strcmp(row->name, "o_ssgi_light"));
-    if (texture == SSGI_GL__TEXTURE_LAYER) return; /* ssgi_gl__send gives it its number. */
+    if (texture == SSGI_GL__TEXTURE_LAYER) return; /* ssgi_gl__send sets out->texture. */
     out->texture = d->filter.onto ? -1 : b->textures++;
     b->picture |= d->filter.onto != SSGI_GL_ONTO_NONE;
     *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
     if (out->kept && b->depth < 0 && strcmp(row->name, "o_ssgi_means")) b->depth = out->texture;
 }
 
-/* Appends a step of a sound desc. frame: as in ssgi_gl_step. */
+/* Appends a step of a desc that ssgi_gl_check has accepted. frame: as in ssgi_gl_step. */
 static ssgi_gl_step *ssgi_gl__append(ssgi_gl__build *b, const ssgi_gl_desc *desc, const ssgi_gl_io *row, int rows,
                                      int frame)
 {
@@ -7825,14 +7842,15 @@ static ssgi_gl_step *ssgi_gl__append(ssgi_gl__build *b, const ssgi_gl_desc *desc
         s->groups[0] = (s->width + d.shader.group_width - 1) / d.shader.group_width;
         s->groups[1] = (s->height + d.shader.group_height - 1) / d.shader.group_height;
     }
-    for (int i = 0; i < rows; ++i) { /* Textures come before the outputs of their names. */
+    for (int i = 0; i < rows; ++i) { /* A texture's row comes before the output's of its name. */
         if (row[i].kind == SSGI_GL_IO_TEXTURE) ssgi_gl__step_input(b, s, &d, &row[i]);
         if (row[i].kind == SSGI_GL_IO_OUTPUT) ssgi_gl__step_output(b, s, &d, &row[i]);
     }
     return s;
 }
 
-/* Adds pass thickness, with the largest thickness of the chain: it is drawn once, whatever reads it. */
+/* Adds pass thickness, with the largest desc.gather.thickness of the chain, as it is drawn once for all that read
+   it. */
 static void ssgi_gl__add_thickness(ssgi_gl__build *b, const ssgi_gl_desc *desc)
 {
     ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -7878,7 +7896,7 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, s
 }
 
 /* Filters the texture that was last written under a name, and averages it over frames, as the chain wants. Returns the
-   texture of the result, -1: your picture has it. */
+   texture of the result; -1: it is drawn onto your picture. */
 static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
 {
     const int grey = !strcmp(name, "ao");
@@ -7892,7 +7910,7 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
     return b->picture ? -1 : *held;
 }
 
-/* Adds your lights to texture `light`, -1: there is none. Returns the texture that holds the sum. */
+/* Adds your lights to the light in texture `light` (-1: there is none). Returns the texture that holds the sum. */
 static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
 {
     ssgi_gl_desc d = *lights;
@@ -7902,14 +7920,14 @@ static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int lig
     return ssgi_gl__add(b, &d, SSGI_GL_PASS_LIGHTS, frame)->output[0].texture;
 }
 
-/* Returns the desc for a depth layer as an extra camera sees it; camera -1: the main one. */
+/* Returns the desc for a depth layer as an extra camera sees it; camera -1: the main camera. */
 static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer)
 {
     ssgi_gl_desc d = *desc;
     d.light.receiver = layer;
     if (camera < 0 && !layer) return d;
-    d.input.normal = SSGI_GL_NORMAL_SIGNED; /* Depth has normals of visible surfaces alone. */
-    if (d.pass != SSGI_GL_PASS_LIGHTS) {    /* Nothing filters it. */
+    d.input.normal = SSGI_GL_NORMAL_SIGNED; /* Depth gives normals of visible surfaces alone. */
+    if (d.pass != SSGI_GL_PASS_LIGHTS) {    /* No filter follows. */
         d.gather.resolution = SSGI_GL_RESOLUTION_FULL;
         d.light.restore = SSGI_GL_RESTORE_NONE;
     }
@@ -7932,7 +7950,7 @@ static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, ssgi_gl_radi
     ssgi_gl_output *out;
     d.light.radiance = radiance;
     d.light.bounced = b->chain->bounced && camera < 0 && !layer && of->pass == SSGI_GL_PASS_SSDO;
-    d.input.world_normals |= camera >= 0; /* They are turned from that camera's view space to yours. */
+    d.input.world_normals |= camera >= 0; /* Normals are turned from its view space to yours. */
     out = ssgi_gl__add(b, &d, SSGI_GL_PASS_EMITTERS, camera < 0 ? 0 : 2 + 2 * camera)->output;
     if (*held < 0) *held = b->textures++;
     out->texture = *held;
@@ -7953,7 +7971,7 @@ static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
     return ssgi_gl__light(b, &lights, light, frame);
 }
 
-/* Adds emitters that the picture does not show: other cameras see them, or they lie behind the first layer. */
+/* Adds emitters that the picture does not show, as other cameras see them, or as they lie behind the first layer. */
 static void ssgi_gl__hidden(ssgi_gl__build *b)
 {
     const ssgi_gl_desc *d = &b->chain->desc;
@@ -7964,12 +7982,12 @@ static void ssgi_gl__hidden(ssgi_gl__build *b)
         if (albedo || ssgi_gl__direct(b, camera, layer) >= 0)
             ssgi_gl__send(b, camera, layer, albedo ? SSGI_GL_RADIANCE_ALBEDO : SSGI_GL_RADIANCE_LIGHT);
         else if (b->chain->direct)
-            b->why = "chain.direct: is of visible surfaces; hidden emitters (desc.gather.layers, views) need "
+            b->why = "chain.direct: lights visible surfaces alone; hidden emitters (desc.gather.layers, views) need "
                      "desc.light.environment or chain.lights";
     }
 }
 
-/* Adds light, and its bounce: in one gather where emitters send the last frame's light (chain.reuse), else in two. */
+/* Adds light and its bounce: in one gather if emitters send the last frame's light (chain.reuse), otherwise in two. */
 static void ssgi_gl__ssdo(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
@@ -7988,7 +8006,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
     }
     b->light = ssgi_gl__direct(b, -1, 0);
     if (d.light.bounce && (b->light >= 0 || chain->direct)) {
-        if (chain->vpls) { /* Single points give just the falloff that virtual lights lack. */
+        if (chain->vpls) { /* By single points the bounce has exactly the light that virtual ones lack. */
             d.gather.falloff = SSGI_GL_FALLOFF_SQUARE;
             d.gather.fade = SSGI_GL_FADE_NONE;
             d.gather.range_check = 0;
@@ -8043,17 +8061,16 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
-/* DEFAULT in a chain: slices have WIDTH, which has the least error of all choices that need no further input. The other
-   passes
-   may read layers and cameras, which have no widths. */
+/* In a chain DEFAULT is WIDTH for slices, which has the least error of all choices that need no further input. The
+   other searches may read layers and cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {
     if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__holds("by_slices", d))
         d->gather.thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
-/* Adds one effect of surfels, and of slices near by (desc.surfel.span). light: the texture of the light on visible
-   surfaces, -1: there is none. Returns the texture that holds the effect. */
+/* Adds one effect of surfels, and of slices for near occluders (desc.surfel.span). light: the texture of the light on
+   visible surfaces; -1: there is none. Returns the texture that holds the effect. */
 static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_effect effect, int light)
 {
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
@@ -8070,7 +8087,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         if (lit) slices.gather.falloff = SSGI_GL_FALLOFF_NONE; /* Light does not fade. */
         slices.light.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
         slices.light.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-        slices.light.restore = SSGI_GL_RESTORE_RATIO; /* Pass sum multiplies by it. */
+        slices.light.restore = SSGI_GL_RESTORE_RATIO; /* Pass sum multiplies by this ratio. */
         *ssgi_gl__texture(b, "light") = light;
         if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
         ssgi_gl__add(b, &slices, slices.pass, 0);
@@ -8086,7 +8103,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         slices.filter.onto = SSGI_GL_ONTO_NONE; /* Pass sum reads it. */
         ssgi_gl__add(b, &slices, SSGI_GL_PASS_BLUR, 0);
     }
-    /* In half size one filter serves slices and surfels. */
+    /* Below full resolution one filter serves slices and surfels. */
     d.light.restore = d.gather.resolution && effect == SSGI_GL_EFFECT_LIGHT ? SSGI_GL_RESTORE_RATIO
                                                                             : SSGI_GL_RESTORE_NONE;
     ssgi_gl__add(b, &d, SSGI_GL_PASS_DSS, 0);
@@ -8103,12 +8120,12 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
     return ssgi_gl__filter(b, &d, lit ? "light" : "ao");
 }
 
-/* Adds surfels, and their effect; of light its bounce, too, as a second effect. */
+/* Adds surfels and their effect. After the effect LIGHT adds its bounce, as a second effect. */
 static void ssgi_gl__deep(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
-    /* Without slices nothing else sends the environment's light. */
+    /* With the effect LIGHT and without slices, surfels alone send the environment's light. */
     if (!chain->hidden_sky && (d.surfel.span || d.surfel.effect != SSGI_GL_EFFECT_LIGHT))
         d.light.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (chain->surfels) ssgi_gl__add(b, &d, SSGI_GL_PASS_SURFELS, 0);
@@ -8159,7 +8176,7 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
     if (!row) return ssgi_gl__fields[0].choice.sentence;
     if (row->chain == SSGI_GL__CHAIN_NONE)
         return "chain.desc.pass: must be a pass with a result of its own, as SSGI_GL_PASS_HSAO is: this one is a step "
-               "that ssgi_gl_steps adds where a chain needs it";
+               "that ssgi_gl_steps adds if a chain needs it";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
         return "chain.width, height: must be 1..16384";
     for (int i = 0; i < SSGI_GL__CHAIN_CHOICES; ++i) {
@@ -8167,7 +8184,7 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
         const int value = ssgi_gl__get(chain, choice->offset);
         if (value < 0 || value > choice->most) return choice->sentence;
     }
-    if (chain->history && !chain->blur) return "chain.history: filters its average: needs blur = 1";
+    if (chain->history && !chain->blur) return "chain.history: filters before it averages: needs blur = 1";
     if (chain->history && chain->coefficients && pass == SSGI_GL_PASS_S3HO)
         return "chain.history: averages light, not coefficients: needs coefficients = 0";
     if (pass == SSGI_GL_PASS_S3HO && chain->desc.light.transfer && chain->desc.light.occluded_emitters
@@ -8207,7 +8224,7 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
     else b->light = ssgi_gl__add(b, d, d->pass, 0)->output[0].texture;
     if (ssgi_gl__pass_of(d->pass)->chain == SSGI_GL__CHAIN_FILTERED) b->light = ssgi_gl__filter(b, d, "ao");
     if (!b->why && b->light < 0 && b->bounce < 0 && !b->picture)
-        b->why = "chain: nothing lights it: desc.light.environment, lights, or direct";
+        b->why = "chain: nothing lights it: it needs desc.light.environment, lights or direct";
     if (!b->why) ssgi_gl__compose(b);
 }
 
@@ -8229,18 +8246,18 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         return 0;
     }
     own = *chain;
-    if (own.desc.pass != SSGI_GL_PASS_S3HO) { /* fields of s3ho and shade that blur looks at, too */
+    if (own.desc.pass != SSGI_GL_PASS_S3HO) { /* Pass blur looks at these fields of s3ho and shade, too. */
         own.desc.light.transfer = SSGI_GL_TRANSFER_DIRECT;
         own.desc.light.shading = SSGI_GL_SHADING_HARMONICS;
         own.desc.light.shaded = own.desc.light.harmonic_lights = 0;
     }
     ssgi_gl__thickness(&own.desc);
-    /* Four frames bring all pixels of a 2x2, sixteen all of a 4x4. */
+    /* Four frames gather all pixels of each 2x2, or sixteen frames all of each 4x4. */
     if (own.history && own.desc.gather.resolution)
         own.desc.gather.resolution = own.desc.gather.resolution < SSGI_GL_RESOLUTION_QUARTER
                                        ? SSGI_GL_RESOLUTION_HALF_IN_TURN
                                        : SSGI_GL_RESOLUTION_QUARTER_IN_TURN;
-    /* The default of blur is 4. */
+    /* The default of bands is 4 in pass blur, and 3 in ssdo. */
     if (own.desc.pass == SSGI_GL_PASS_SSDO && !own.desc.light.bands) own.desc.light.bands = 3;
     /* The first turn checks all, the second writes. */
     for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {
@@ -8264,7 +8281,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
                                                                     : SSGI_GL_RESULT_NONE;
             for (int m = 0; m < b.count && m < b.capacity; ++m)
                 for (int n = 0; n < steps[m].inputs; ++n) {
-                    ssgi_gl_input *const in = &steps[m].input[n]; /* Nothing is known of your textures. */
+                    ssgi_gl_input *const in = &steps[m].input[n]; /* It stays as it is if it is yours. */
                     if (in->meaning < 0 && in->texture < 0) {
                         in->texture = ssgi_gl__left_by_last(&b, in->name);
                         in->last = 1;
@@ -8285,13 +8302,13 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 static const ssgi_gl_method ssgi_gl__methods[] = {
     { "hsao", "Ambient occlusion by slices: the choice for most.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "" },
-    { "hsao-fast", "HSAO at half size by one slice, with constant thickness.",
+    { "hsao-fast", "HSAO at half resolution, with one slice and constant thickness.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "" },
-    { "hsao-best", "HSAO at full size, with more taps.",
+    { "hsao-best", "HSAO at full resolution, with more samples.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BEST, "" },
-    { "hsao-quarter", "HSAO at a quarter of the size, for weak GPUs.",
+    { "hsao-quarter", "HSAO at quarter resolution, for weak GPUs.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "resolution=QUARTER,slices=2,samples=8,filter_radius=1" },
-    { "hsao-history", "HSAO averaged over frames: one slice of many taps. It needs the last frame's matrices.",
+    { "hsao-history", "HSAO averaged over frames: one slice of many samples. It needs the last frame's matrices.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "history=1,slices=1,samples=12,filter_radius=1" },
     { "hsao-march", "The paper's march and normal rays, for depth layers and extra cameras.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "search=MARCH" },
@@ -8300,9 +8317,9 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
     { "ssdo", "The light of an environment with directional occlusion, and one bounce of it. It needs albedo and an "
       "environment map.",
       SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BALANCED, "environment=MAP,bounce=SOLID_ANGLE" },
-    { "ssdo-fast", "SSDO with fewer taps.",
+    { "ssdo-fast", "SSDO with fewer samples.",
       SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_FAST, "environment=MAP,bounce=SOLID_ANGLE" },
-    { "ssdo-best", "SSDO at full size, with more taps.",
+    { "ssdo-best", "SSDO at full resolution, with more samples.",
       SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BEST, "environment=MAP,bounce=SOLID_ANGLE" },
     { "ssdo-points", "SSDO by the paper's points along directions, for depth layers and extra cameras.",
       SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BALANCED, "search=POINTS,environment=MAP,bounce=SOLID_ANGLE" },
@@ -8310,10 +8327,10 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
       "frame.harmonics.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED,
       "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE,filter_radius=2" },
-    { "s3ho-fast", "S3HO with fewer taps.",
+    { "s3ho-fast", "S3HO with fewer samples.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_FAST,
       "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE,filter_radius=2" },
-    { "s3ho-best", "S3HO at full size, with more taps.",
+    { "s3ho-best", "S3HO at full resolution, with more samples.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BEST,
       "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE" },
     { "s3ho-points", "S3HO by the paper's points along directions, for depth layers and extra cameras.",
@@ -8323,28 +8340,29 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED, "bands=2,shading=BENT_CONE,restore=RATIO" },
     { "ssbn-points", "Bent normals and cones by points along directions.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED, "search=POINTS,bands=2,shading=BENT_CONE,restore=RATIO" },
-    { "dss", "Deep screen space: surfels of all triangles, seen or not, occlude, and near ones by slices. It needs "
+    { "dss", "Deep screen space: surfels of all triangles, seen or not, occlude; slices find near occluders. It needs "
       "triangles.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BALANCED, "span=6" },
-    { "dss-fast", "Deep screen space at a quarter of the size.",
+    { "dss-fast", "Deep screen space at quarter resolution.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_FAST, "span=6" },
-    { "dss-best", "Deep screen space at full size.",
+    { "dss-best", "Deep screen space at full resolution.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST, "span=6" },
     { "dss-lit", "Deep screen space as directional occlusion of an environment and of lights with shadow maps, and one "
       "bounce. It needs triangles with colours, albedo, lights and an environment map.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BALANCED,
       "span=6,effect=LIGHT,environment=MAP,bounce=SOLID_ANGLE,surfels=1,sends=LIGHTS,shadow=MAP,lights.shadow=MAP" },
-    { "dss-gloss", "The specular bounce of light that surfels send. It needs what dss-lit needs.",
+    { "dss-gloss", "The specular bounce of light that surfels send. It needs the inputs of dss-lit.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST,
       "effect=SPECULAR,levels=5,near_samples=4,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
-    { "dss-scatter", "Light that scatters under surfaces. It needs what dss-lit needs.",
+    { "dss-scatter", "Light that scatters under surfaces. It needs the inputs of dss-lit.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST,
       "effect=SCATTER,levels=7,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
     { "aof", "Occlusion between rigid objects, from fields that ssgi_field_bake makes of each.",
       SSGI_GL_PASS_AOF, SSGI_GL_PRESET_BALANCED, "" }
 };
 
-/* What a name begins with, other words for it, and the sentence on an unknown name that is nearest to these. */
+/* The word with which the names of a family begin, other words for it, and the sentence on an unknown name that is
+   nearest to one of them. */
 #define SSGI_GL__NEAR(names) "name: there is no such method; the nearest are " names
 static const char *const ssgi_gl__families[][2] = {
     { "hsao gtao hbao", SSGI_GL__NEAR("hsao, hsao-fast, hsao-best, hsao-quarter, hsao-history and hsao-march") },
@@ -8365,7 +8383,7 @@ SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i)
     return i >= 0 && i < SSGI_GL__METHODS ? &ssgi_gl__methods[i] : NULL;
 }
 
-/* A character of a name: any case, with - for _. */
+/* Returns a character of a name in lower case, and _ for -, as names are compared without regard to these. */
 static int ssgi_gl__folded(char c) { return c == '-' ? '_' : c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; }
 
 static int ssgi_gl__same(const char *name, const char *word, size_t length)
@@ -8375,8 +8393,8 @@ static int ssgi_gl__same(const char *name, const char *word, size_t length)
     return i == length && !name[i];
 }
 
-/* How many characters must be put in, left out or changed to make a name of a word (Levenshtein's distance); of longer
-   words the first 24 count. */
+/* How many characters of a word must be added, removed or changed to make a name of it (Levenshtein's distance). Only
+   the first 24 characters of the word count. */
 static int ssgi_gl__distance(const char *name, size_t name_length, const char *word, size_t length)
 {
     int row[25];
@@ -8394,7 +8412,7 @@ static int ssgi_gl__distance(const char *name, size_t name_length, const char *w
     return row[length];
 }
 
-/* Returns the sentence on a method's name that there is not. */
+/* Returns the sentence on an unknown name of a method. */
 static const char *ssgi_gl__near_method(const char *word, size_t length)
 {
     const char *near_it = NULL;
@@ -8415,7 +8433,7 @@ static const char *ssgi_gl__near_method(const char *word, size_t length)
     return near_it;
 }
 
-/* Returns the row of a field with that name, or else the one whose name is nearest. */
+/* Returns the row of the field whose name is nearest to a word; *edits: their distance, 0 if they are equal. */
 static const ssgi_gl__field *ssgi_gl__near_field(const ssgi_gl__field *fields, int count, const char *word,
                                                  size_t length, int *edits)
 {
@@ -8447,7 +8465,7 @@ static int ssgi_gl__number(const ssgi_gl_choice *choice, const char *text, size_
     return n && n == length && number <= choice->most ? number : -1;
 }
 
-/* Sets FIELD=VALUE in a chain. Returns NULL, or what is wrong. */
+/* Sets FIELD=VALUE in a chain. Returns NULL, or the sentence of an error. */
 static const char *ssgi_gl__set(ssgi_gl_chain *chain, const char *item, size_t length)
 {
     static const char lights[] = "lights.";
@@ -8478,7 +8496,7 @@ static const char *ssgi_gl__set(ssgi_gl_chain *chain, const char *item, size_t l
     return NULL;
 }
 
-/* Sets all of a list with commas between; *preset becomes that of a first item that names one. */
+/* Sets all items of a list, which are separated by commas. A first item may name a preset, which *preset becomes. */
 static const char *ssgi_gl__set_all(ssgi_gl_chain *chain, int *preset, const char *items)
 {
     static const char *const presets[] = { "fast", "balanced", "best" };
@@ -8508,7 +8526,7 @@ SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, co
     memset(&c, 0, sizeof c);
     c.desc.pass = (ssgi_gl_pass)ssgi_gl__methods[m].pass;
     c.blur = 1;
-    /* The preset depends on the search, and what is given stands over what the preset sets. */
+    /* Settings are set before the preset, which depends on the search, and again after it, as they override it. */
     for (int turn = 0; turn < 2; ++turn) {
         const char *bad = ssgi_gl__set_all(&c, &preset, ssgi_gl__methods[m].settings);
         if (!bad) bad = ssgi_gl__set_all(&c, &preset, own);
@@ -8536,13 +8554,13 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (!f) return "nothing is bound";
     if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
     if (format && f != format->internal) return "is not of the format that the step names";
-    if (in && integer != in->integer) return "must be of integers where its sampler is, and nowhere else";
+    if (in && integer != in->integer) return "must hold integers if its sampler does, and only then";
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than the picture";
-    if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
+    if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size, but must be smaller";
     if (!in || in->target == SSGI_GL__TEXTURE_2D_MULTISAMPLE) return NULL; /* Samples are not filtered. */
     if (is->filter >= SSGI_GL__NEAREST_MIPMAP_NEAREST)
-        return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
+        return "must have GL_NEAREST as its minifying filter: this one reads mip levels";
     if (is->filter == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its minifying filter";
     if (is->magnify == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its magnifying filter";
     return is->compare ? "must have GL_NONE as its compare mode" : NULL;
@@ -8554,7 +8572,7 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
     ssgi_gl__text t = { out, capacity, 0, 0 };
     for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
         const ssgi_gl_input *in = &step->input[i];
-        const int any = in->last; /* Of the last frame it has that one's size. */
+        const int any = in->last; /* A texture of the last frame has the size of that. */
         const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, any ? 0 : in->width, any ? 0 : in->height);
         if (wrong)
             ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit, wrong);
@@ -8569,8 +8587,9 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
 
 /* ==== >>frame (implementation) ==================================================================================== */
 
-/* Whether all are finite and none is larger than `most` [limit: >= 0], by the bits. With -ffast-math compilers take
-   arguments and sums to be finite, and recent ones of clang even a test of their bits, but for what is volatile. */
+/* Whether the magnitudes of all values are at most `most` [limit: >= 0], which NaN and infinity are not. With
+   -ffast-math compilers assume that arguments and sums are finite. So the bits are tested, and they are volatile, since
+   recent versions of clang even assume the result of such a test. */
 static int ssgi_gl__within(const float *v, int count, float most)
 {
     uint32_t limit, bits;
@@ -8606,8 +8625,8 @@ static int ssgi_gl__rigid(const float m[16])
     SSGI_GL__MATRIX(m); \
     SSGI_GL__CHECK(ssgi_gl__rigid(m), #m ": must be rigid: a rotation and a translation")
 
-/* Composes two rigid world-to-view matrices: a after the inverse of b. The transpose of b would not do: its floats are
-   rounded, and a camera that stands far away multiplies by how far. */
+/* Composes two rigid world-to-view matrices: a after the inverse of b. The transpose of b is not precise enough as its
+   inverse: b's floats are rounded, and the distance of a camera from the origin multiplies that error. */
 static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
 {
     double inverse[9], volume = 0.0;
@@ -8636,7 +8655,7 @@ static double ssgi_gl__decoded(float decode[3], const ssgi_view *view)
     memcpy(decode, view->depth, sizeof view->depth);
     decode[2] = view->clear;
     if (!view->orthographic || (near_plane >= 0.0 && near_plane <= deep)) return 0.0;
-    /* Without the view's own depth[0], which a far eye rounds: the depth behind the near plane is a difference. */
+    /* The view's own depth[0] is rounded if the eye is far away. Depth behind the near plane does not depend on it. */
     const double pixel = (double)ssgi_pixel_footprint(view, 1.0f);
     double behind = -(double)view->depth[1] * (1.0 - (double)view->clear);
     for (int i = 0; i < 2; ++i) {
@@ -8647,9 +8666,9 @@ static double ssgi_gl__decoded(float decode[3], const ssgi_view *view)
     return (double)(float)(near_plane - pixel);
 }
 
-/* Fills two column-major matrices of rigid ones: from a point of the main camera's view space to x, y (pixels, times
-   depth when perspective), view depth, 1 of another camera; and back. Each space begins at a view depth:
-   ssgi_gl__decoded. Writes nothing if floats cannot hold them. */
+/* Fills two column-major matrices from rigid ones. `to` takes a point of the main camera's view space to x, y (pixels,
+   with perspective times depth), view depth and 1 of another camera; `from` takes it back. Each of both view spaces
+   begins at the view depth that ssgi_gl__decoded returns. Writes nothing if floats cannot hold the matrices. */
 static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
                                       const float *other, double begins, double other_begins, const char **why)
 {
@@ -8669,7 +8688,7 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
         out[0][4 * c + 2] = z;
         out[0][4 * c + 3] = c == 3 ? 1.0 : 0.0;
     }
-    for (int r = 0; r < 4; ++r) { /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
+    for (int r = 0; r < 4; ++r) { /* view xy = x, y * unproject.xy + unproject.zw, with perspective times depth */
         const double shift = b[r] * (double)view->unproject[2] + b[4 + r] * (double)view->unproject[3];
         out[1][r] = b[r] * (double)view->unproject[0];
         out[1][4 + r] = b[4 + r] * (double)view->unproject[1];
@@ -8759,7 +8778,7 @@ SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *
     return count;
 }
 
-/* The width of a pixel at depth 1, in view units, as ssgi_footprint of the library has it. */
+/* The width of a pixel at depth 1, in view units, as ssgi_footprint (>>library) computes it. */
 static float ssgi_gl__footprint(const float unproject[4])
 {
     const float x = unproject[0] < 0.0f ? -unproject[0] : unproject[0];
@@ -8803,8 +8822,9 @@ SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, floa
 
 SSGI_DEF float ssgi_gl_phase(uint32_t k)
 {
-    /* Every four frames in a row have each quarter of the phases; from four to four they move by a quarter of the
-       golden ratio's fraction, and a quarter, so that each of the four spreads as that does. */
+    /* Each group of four frames has a phase in every quarter of 0..1. From group to group phases advance by a quarter
+       of the golden ratio's fraction, plus a quarter, so that within a quarter they spread as multiples of that
+       ratio. */
     static const uint32_t quarter[4] = { 0, 2, 1, 3 };
     const uint32_t phase = (k >> 2) * 1737350767u + (quarter[k & 3] << 30);
     return (float)((phase >> 8 & ~15u) | (k & 15)) / 16777216.0f;
@@ -8823,15 +8843,15 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
     return SSGI_OK;
 }
 
-/* Whether as many rows follow a light as it says that its sun has wider maps. */
+/* Whether at least as many rows follow a sun's row as that row says that there are wider maps of this sun. */
 static int ssgi_gl__maps_follow(const ssgi_gl_light *l, int rows)
 {
     const float wider = l->min_distance;
     return l->kind >= 0.5f || (wider >= 0.0f && wider <= (float)rows && (float)(int)wider == wider);
 }
 
-/* Returns the irradiance over pi of a surfel by a light of colour 1, without occlusion; the light's kind as >>light of
-   the library tells it apart. */
+/* Returns the irradiance over pi of a surfel by a light of colour 1, without occlusion. Kinds of light are told apart
+   as in >>light. */
 static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
 {
     const int sun = l->kind < 0.5f;
@@ -8848,7 +8868,7 @@ static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
         for (int k = 0; k < 3; ++k) q[c] += (double)l->map[c][k] * (double)s->position[k];
     }
     if (!(d > 0.0) || !(facing > 0.0)) return 0.0;
-    if (sun && l->min_distance > 0.0f) return 0.0; /* The row of its widest map counts. */
+    if (sun && l->min_distance > 0.0f) return 0.0; /* Only the row of its widest map counts. */
     if (spot && l->tile[2] > 0.0f
         && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
              && q[1] < q[2] * (double)l->tile[3]))
@@ -8858,8 +8878,8 @@ static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
     return sun ? facing : facing / (d > least ? d : least);
 }
 
-/* Returns the largest component of the radiance that a surfel sends; 0 where it is 1e-30 or less, as shaders divide by
-   frame.sent. */
+/* Returns the largest component of the radiance that a surfel sends. It is 0 if it is 1e-30 or less, as shaders divide
+   by frame.sent. */
 static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights, int light_count, const float *sky)
 {
     double light[3] = { 0.0, 0.0, 0.0 }, sent = 0.0;
@@ -8962,9 +8982,9 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why)
 {
-    enum { bins = 256 }; /* of radiances below the most, each 1/8 of an octave: down to 2^-32 of it */
+    enum { bins = 256 }; /* from the largest radiance down to 2^-32 of it */
 
-    const double octave = 8.0; /* bins */
+    const double octave = 8.0; /* bins an octave */
     double sum[bins] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
     int b;
     SSGI_GL__THERE(frame);
@@ -8973,7 +8993,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
     SSGI_GL__CHECK(!sky || (ssgi_gl__within(sky, 3, SSGI_FAR) && sky[0] >= 0.0f && sky[1] >= 0.0f && sky[2] >= 0.0f),
                    "sky: must be 0 or more and finite");
-    for (size_t i = 0; i < count; ++i) /* position to colour */
+    for (size_t i = 0; i < count; ++i) /* members position to colour */
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&surfels[i], 11, SSGI_FAR), "surfels: must be finite");
     for (int k = 0; k < light_count; ++k)
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
@@ -8993,7 +9013,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
         sum[b < bins ? b : bins - 1] += flux;
         all += flux;
     }
-    /* the median, within its bin by the share of the bin that it takes */
+    /* The median of the flux, interpolated within its bin. */
     for (b = 0; b < bins && below + sum[b] < 0.5 * all; ++b) below += sum[b];
     if (all > 0.0 && b < bins)
         frame->sent = (float)(most * exp2(-(b + 1 - (below + sum[b] - 0.5 * all) / sum[b]) / octave));
