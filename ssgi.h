@@ -32,10 +32,10 @@
       twins        the GLSL twin of a function is the one in ssgi_gl.h's shaders that computes the same
 
    CONFIG       SSGI_STATIC makes every function static. Nothing else changes the header.
-   ROOMS the sections of this file; search for ">>"
+   ROOMS        the sections of this file; search for ">>"
       >>types      results
       >>view       projection decode: perspective, orthographic, any handedness and depth; extra cameras
-      >>bias offsets against self-occlusion and self-shadowing; a first guess of the radius
+      >>bias       offsets against self-occlusion and self-shadowing; a first guess of the radius
       >>kernel     low-discrepancy points, sample sets, tiles of noise
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
       >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
@@ -125,9 +125,10 @@ typedef struct ssgi_view {
    If it is left-handed, your camera looks along +z, and view space here is yours with z negated. (An orthographic
    projection counts as left-handed if a right-handed camera would have its whole depth range behind the eye. If the
    depth range of your left-handed orthographic camera reaches behind the eye, negate elements 8 to 11 yourself: its
-   matrix is also that of a right-handed camera with reversed depth.) With a left-handed camera, negate z of the vectors
-   that you pass in view space (lights; for normals there is desc.input.left_handed) and the third row (elements 2, 6,
-   10, 14) of every matrix to view space, frame.rotation included. Vectors that the library returns have z negated, too.
+   matrix is also that of a right-handed camera with reversed depth.)
+   With a left-handed camera, negate z of the vectors that you pass in view space (lights; for normals there is
+   desc.input.left_handed) and the third row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation
+   included. Vectors that the library returns have z negated, too.
      projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
@@ -701,9 +702,8 @@ enum { SSGI_SPLAT_LEVELS = 7 };
 /* Writes the size [units: texels] of one level in the interleaved layout: the size of the interleaved picture, rounded
    up to multiples of 2^(levels - 1). The levels lie below each other in one texture of size[0] x (levels * size[1])
    texels.
-     width, height [limit: 1..65536] of that picture: the frame, or fewer pixels with desc.gather.resolution
- levels
-     [limit: 1..7] */
+     width, height   [limit: 1..65536] of that picture: the frame, or fewer pixels with desc.gather.resolution
+     levels          [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
 /* Returns the least number of levels, 1..SSGI_SPLAT_LEVELS, whose last one ends at the occlusion radius or beyond. It
