@@ -1439,7 +1439,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_linear_depth", NULL, __LINE__ + 1,
-    "float ssgi_linear_depth(float z) { // returns the shaders' view depth of yours; SSGI_FAR: background\n"
+    "float ssgi_linear_depth(float z) { // returns the shaders' depth for your depth z; SSGI_FAR: background\n"
     "    float own = ssgi_own_depth(z);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    if (z == 0.0) own = SSGI_FAR; // 0 is background even if your depths may be negative.\n"
