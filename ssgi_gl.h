@@ -3057,7 +3057,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float all; // occluded share\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
-    "    // the environment's occluded irradiance, over pi (slices) or over the unoccluded irradiance (points)\n"
+    "    // the environment's occluded irradiance, divided by pi (slices) or by the unoccluded irradiance (points)\n"
     "    vec3 dark;\n"
     "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
     "    ssgi_sh lobe; // the unoccluded part of the cosine lobe\n"
@@ -3210,7 +3210,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_add_bounce", "SSGI_BOUNCE && SSGI_PASS == SSGI_PASS_SSDO", __LINE__ + 1,
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM_DIRECTIONS\n"
-    "    // An area of pi r^2/N a patch assumes uniform directions. These follow the cosine, so the pdf divides.\n"
+    "    // The area pi r^2/N of a patch is for uniform directions. These follow the cosine, so the pdf divides it.\n"
     "    occlusion *= 0.5 / max(direction.z, SSGI_GRAZING);\n"
     "#endif\n"
     "    sums.bounce += ssgi_emitter.xyz * (occlusion / float(SSGI_DIRECTIONS));\n"
@@ -3242,7 +3242,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // before the weight: all patches are equal\n"
     "#endif\n"
     "#if SSGI_UNIFORM_DIRECTIONS\n"
-    "        float weight = 2.0 * direction.z; // A sample has 2 pi/N steradians; the cosine's integral is pi.\n"
+    "        float weight = 2.0 * direction.z; // the cosine, times 2 pi steradians over its integral, pi\n"
     "        occlusion *= weight;\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
@@ -3675,8 +3675,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 texel; // the texel of depth\n"
     "    vec2 forms; // the forms at that texel, which ssgi_on_ray takes\n"
     "    float z, distance, sine; // view depth; distance in radii; sine of the elevation, at least 0\n"
-    "    bool inside, seen; // The tap is in the picture. It is also within the radius.\n"
-    "    bool beyond, up; // The tap is past the zenith. It is seen, and rises above the tangent plane.\n"
+    "    bool inside, seen; // inside: the tap is in the picture; seen: it is also within the radius\n"
+    "    bool beyond, up; // beyond: the tap is past the zenith; up: it is seen, and above the tangent plane\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float width; // thickness of the surface, view units\n"
     "#endif\n"
@@ -4306,8 +4306,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    normal = normalize(vec3(dot(occluder[0].xyz, normal), dot(occluder[1].xyz, normal),\n"
     "        dot(occluder[2].xyz, normal)));\n"
     "    float cosine = dot(axis, normal);\n"
-    "    // 1 / (pi spread) is the vector irradiance over pi that the occluder takes. It covers only the share fill\n"
-    "    // of its cap, so that the cap itself is larger.\n"
+    "    // 1 / (pi spread) is the vector irradiance over pi that the occluder takes away. Only the share fill of its\n"
+    "    // cap is covered, so that the value of the cap itself is larger.\n"
     "    float sine_squared = 0.318309886 / max(spread, 0.318309886);\n"
     "    float fill = max(second.w, sine_squared);\n"
     "    sine_squared /= fill;\n"
@@ -5537,7 +5537,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    the value. The noise of a filtered value is a quarter to a seventh of the deviation; 0.5 % is about a step of 8
    bits. */
 { "SSGI_DRIFT", NULL, __LINE__ + 1,
-    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005); // the bound of the mean over all frames: deviations; share\n" },
+    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005); // the bound of the mean: deviations; share of the value\n" },
 
 /* If quick moved the mean by a drift or more, this share of its frames is forgotten: of 16 frames two stay. */
 { "SSGI_FORGOTTEN", NULL, __LINE__ + 1,
@@ -5593,7 +5593,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_last", NULL, __LINE__ + 1,
     "struct ssgi_last { // the values of this surface that the last frame kept\n"
-    "    float known; // the weight of those of four texels that show the surface; 0 if it is below 0.25\n"
+    "    float known; // sum of the weights of the texels that show the surface; 0 if it is below 0.25\n"
     "    float blurred; // how much interpolation blurs the averages, 0 .. 0.5\n"
     "#if SSGI_MOTION\n"
     "    bool moves; // The surface moves on its own, not by the camera alone.\n"
@@ -5644,7 +5644,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float slack = 0.5 * footprint - SSGI_KEPT_ROUNDS * P.z;\n"
     "#if SSGI_MOTION\n"
     "    vec2 own = ssgi_own_motion(pixel, place);\n"
-    "    slack += max(length(own) - 0.5, 0.0) * footprint; // Its depth may have changed as much.\n"
+    "    slack += max(length(own) - 0.5, 0.0) * footprint; // The surface's depth may have changed as much.\n"
     "    place += own;\n"
     "    sum.moves = ssgi_moves(own);\n"
     "#endif\n"
@@ -5829,7 +5829,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    there. Both tests fail if a nearer surface merely hides or bares the other as the camera moves. Depths on a steep
    surface differ from pixel to pixel, so each test takes the nearest of four pixels. */
 { "ssgi_change", NULL, __LINE__ + 1,
-    "float ssgi_change(ivec2 pixel, vec3 was) { // returns its view depth; 0: no surface came or went\n"
+    "float ssgi_change(ivec2 pixel, vec3 was) { // returns the view depth of this surface; 0: none came or went\n"
     "    vec3 occluder = ssgi_nearest(was.xy - 0.5, true);\n"
     "    bool came = occluder.z > was.z;\n"
     "    occluder.xy += 0.5;\n"
@@ -5855,7 +5855,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pixel_was", NULL, __LINE__ + 1,
-    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // where its point was in the last frame if it rests\n"
+    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // where the pixel's point was in the last frame if it rests\n"
     "    return ssgi_reproject(ssgi_position(vec2(pixel) + 0.5, z));\n"
     "}\n" },
 
@@ -6014,9 +6014,9 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(exponent, "float", ""),
     SSGI_GL__ROW_FRAME(history_frames, "float", "frames"),
     SSGI_GL__ROW_FRAME(oblique, "vec2", "window depth per pixel"),
-    SSGI_GL__ROW_FRAME(window, "vec4", "a band"),
+    SSGI_GL__ROW_FRAME(window, "vec4", "a factor for each band"),
     SSGI_GL__ROW_FRAME(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
-    SSGI_GL__ROW_FRAME(last_from, "mat4", "and back"),
+    SSGI_GL__ROW_FRAME(last_from, "mat4", "the last frame's pixels (times depth) and depth to view space"),
     SSGI_GL__ROW_FRAME(layer, "int", "of your textures"),
     SSGI_GL__ROW_FRAME(pace, "float", ""),
     SSGI_GL__ROW_FRAME(last_size, "ivec2", "pixels"),
@@ -6025,7 +6025,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(strength, "float", ""),
 
     SSGI_GL__ROW_VIEWS(to, "mat4[4]", "view space to pixels (times depth) and depth"),
-    SSGI_GL__ROW_VIEWS(from, "mat4[4]", "and back"),
+    SSGI_GL__ROW_VIEWS(from, "mat4[4]", "pixels (times depth) and depth to view space"),
     SSGI_GL__ROW_VIEWS(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
     SSGI_GL__ROW_VIEWS(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
 
@@ -6078,7 +6078,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("history", 2, NULL, "sampler2D",
                          "this pass's output for the last frame, NEAREST: o_ssgi_ao; o_ssgi_light, or with "
                          "desc.light.restore o_ssgi_history"),
-    SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
+    SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "this pass's output for the last frame, NEAREST: o_ssgi_means"),
     SSGI_GL__ROW_TEXTURE("change_mask", 3, NULL, "sampler2D",
                          SSGI_GL__HDR ", an eighth of the size, NEAREST: of pass change_mask"),
     SSGI_GL__ROW_TEXTURE("change_share", 5, NULL, "sampler2D",
@@ -6104,11 +6104,11 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                         "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
                         "and 14, octahedral view-space normal as 6 6"),
     SSGI_GL__ROW_OUTPUT("thickness", NULL, "uvec4",
-                        "RGBA32UI: of each pixel of a 2x2 view depth; its last 6 bits are thickness in radii / 63 "
-                        "(orthographic: see ssgi_measured_texel)"),
+                        "RGBA32UI: view depth of each pixel of a 2x2; its last 6 bits are the thickness, in units of a "
+                        "63rd of the radius (orthographic: see ssgi_measured_texel)"),
     SSGI_GL__ROW_OUTPUT("change_mask", NULL, "vec4",
-                        SSGI_GL__HDR ": of 8x8 pixels the share where an occluder came or went; the least and the "
-                        "greatest view depth of these, or where there are none of all; the least of all"),
+                        SSGI_GL__HDR ": the share of 8x8 pixels in which an occluder came or went; the least and the "
+                        "greatest view depth of these pixels, or of all if there are none; the least of all"),
     SSGI_GL__ROW_OUTPUT("change_share", NULL, "float",
                         "R32F or R16F: of all surfaces within the radius of 8x8 pixels, the share that came or went"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
@@ -6194,7 +6194,7 @@ enum {
     SSGI_GL__DRAW_IMAGE = 0, /* one triangle covers the image */
     SSGI_GL__DRAW_FIELDS,    /* a rectangle of two triangles for each occluder */
     SSGI_GL__DRAW_SPLATS,    /* such a rectangle for each surfel and level, or patches */
-    SSGI_GL__DRAW_SURFELS,   /* points or patches, which are captured */
+    SSGI_GL__DRAW_SURFELS,   /* points or patches, whose outputs are captured */
     SSGI_GL__DRAWS
 };
 
@@ -6615,8 +6615,8 @@ typedef struct ssgi_gl__preset {
    are means of 14 scenes by seed at 1280x720, relative to no ambient occlusion; times are those of a Radeon RX 6800 at
    1920x1080, as make cost models it. A filter of radius 2 halves the noise of hsao at the same error, and two more
    samples take the error from .417 to .402, in each scene. With radius 1 the same samples have .403 and take .03 ms
-   less, but have two thirds more noise in the two finest bands. At full resolution radius 2 lowers the error by .0007;
-   of ssdo it lowers it by .006, and takes a quarter more time. */
+   less, but have two thirds more noise in the two finest bands. At full resolution radius 2 lowers the error of hsao by
+   .0007. It lowers the error of ssdo by .006, and takes a quarter more time. */
 /* clang-format off */
 static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
     /* resolution, slices, directions, samples, normal_rays, fades, constant, filter: BILATERAL is 0 */
@@ -6767,7 +6767,7 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
       "reflected || (shading && !harmonic_lights) || environment == MAP || !(pass == SHADE || restores || "
       "(pass == S3HO && shaded) || (pass == SSDO && environment))",
       0, "shading harmonic_lights environment" },
-    /* A mean direction needs two bands. */
+    /* Shading by a mean direction needs two bands. */
     { SSGI_GL__AT(light.bands), "(loads || restores) && shading && !harmonic_lights && (!bands || bands > 2)", 2,
       "shading harmonic_lights" },
     { SSGI_GL__AT(light.bands), "pass == SSDO && !bands", 3, NULL },
@@ -7060,7 +7060,7 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 
 typedef struct ssgi_gl__stage {
     unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS]; /* 1: kept */
-    unsigned char fetch;                                    /* 1: it needs desc.shader.fetch; 2: and ssgi_decode */
+    unsigned char fetch;                                    /* 1: needs desc.shader.fetch; 2: and ssgi_decode */
 } ssgi_gl__stage;
 
 /* How many pixels a texel of a pass's targets covers, in x and in y: 1, 2, 4 or 8. d: a resolved desc. */
@@ -7650,7 +7650,7 @@ static const ssgi_gl_format ssgi_gl__formats[SSGI_GL__CHANNELS][SSGI_GL__KINDS] 
       { "RGBA32F", 0x8814, 0x1908, 0x1406, 16, 109, "VK_FORMAT_R32G32B32A32_SFLOAT", "rgba32float" },
       { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16, 107, "VK_FORMAT_R32G32B32A32_UINT", "rgba32uint" } }
 };
-/* the index is ssgi_gl_chain.rgba8 */
+/* Formats of one byte a channel, by ssgi_gl_chain.rgba8. */
 static const ssgi_gl_format ssgi_gl__bytes[2] = {
     { "R8", 0x8229, 0x1903, 0x1401, 1, 9, "VK_FORMAT_R8_UNORM", "r8unorm" },
     { "RGBA8", 0x8058, 0x1908, 0x1401, 4, 37, "VK_FORMAT_R8G8B8A8_UNORM", "rgba8unorm" }
@@ -7678,8 +7678,8 @@ typedef struct ssgi_gl__build {
     ssgi_gl_step *steps, spare; /* spare takes the steps beyond the capacity */
     int capacity, count;
     int textures;      /* how many textures have a number so far */
-    int light, bounce; /* the numbers of those that hold the result; -1: none */
-    int depth;         /* the number of that which keeps view depth for the next frame; -1: none */
+    int light, bounce; /* numbers of the textures that hold the result; -1: none */
+    int depth;         /* number of the texture that keeps view depth for the next frame; -1: none */
     int picture;       /* 1: a step has drawn onto your picture */
     const char *why;   /* the sentence of an error; NULL: there is none */
 
@@ -7721,7 +7721,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise,
     if (coefficients && (d->light.bands == 1 || (d->light.bands == 3 && last == (whole ? '1' : '2'))))
         channels = SSGI_GL__R;
     if (coefficients && whole && d->light.bands == 2) channels = SSGI_GL__RG;
-    if (single && !wide && !strncmp(out->format, "R8", 2)) /* Its row says that a byte holds it. */
+    if (single && !wide && !strncmp(out->format, "R8", 2)) /* The output's row says that a byte suffices. */
         return &ssgi_gl__bytes[d->shader.compute ? basic : rgba8 != 0];
     if (basic && channels == SSGI_GL__RG) channels = SSGI_GL__RGBA;
     if (basic && channels == SSGI_GL__R) wide = 1;
@@ -8100,7 +8100,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         slices.filter.quantity = lit ? SSGI_GL_QUANTITY_LIGHT : SSGI_GL_QUANTITY_VISIBILITY;
         slices.filter.radius = 1;
         slices.filter.normals = bounce;
-        slices.filter.onto = SSGI_GL_ONTO_NONE; /* Pass sum reads it. */
+        slices.filter.onto = SSGI_GL_ONTO_NONE; /* Pass sum reads the result. */
         ssgi_gl__add(b, &slices, SSGI_GL_PASS_BLUR, 0);
     }
     /* Below full resolution one filter serves slices and surfels. */
@@ -8281,7 +8281,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
                                                                     : SSGI_GL_RESULT_NONE;
             for (int m = 0; m < b.count && m < b.capacity; ++m)
                 for (int n = 0; n < steps[m].inputs; ++n) {
-                    ssgi_gl_input *const in = &steps[m].input[n]; /* It stays as it is if it is yours. */
+                    ssgi_gl_input *const in = &steps[m].input[n]; /* Your textures are left as they are. */
                     if (in->meaning < 0 && in->texture < 0) {
                         in->texture = ssgi_gl__left_by_last(&b, in->name);
                         in->last = 1;
@@ -8572,7 +8572,7 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
     ssgi_gl__text t = { out, capacity, 0, 0 };
     for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
         const ssgi_gl_input *in = &step->input[i];
-        const int any = in->last; /* A texture of the last frame has the size of that. */
+        const int any = in->last; /* A texture of the last frame has that frame's size. */
         const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, any ? 0 : in->width, any ? 0 : in->height);
         if (wrong)
             ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit, wrong);
@@ -8587,7 +8587,7 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
 
 /* ==== >>frame (implementation) ==================================================================================== */
 
-/* Whether the magnitudes of all values are at most `most` [limit: >= 0], which NaN and infinity are not. With
+/* Whether the magnitudes of all values are at most `most` [limit: >= 0]; those of NaN and infinity are not. With
    -ffast-math compilers assume that arguments and sums are finite. So the bits are tested, and they are volatile, since
    recent versions of clang even assume the result of such a test. */
 static int ssgi_gl__within(const float *v, int count, float most)
