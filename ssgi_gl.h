@@ -3299,10 +3299,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return 0.0;\n"
     "}\n" },
 
+/* Finds the horizon along tangent by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the sine of the
+   horizon's elevation, and the occlusion below it: the sum of the increments of H^2, each attenuated by the distance of
+   its occluder. beta shifts all samples along the ray, by that many spacings. */
 { "ssgi_horizon", NULL, __LINE__ + 1,
-    "// Finds the horizon along tangent by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the sine\n"
-    "// of the horizon's elevation, and the occlusion below it: the sum of the increments of H^2, each attenuated by\n"
-    "// the distance of its occluder. beta shifts all samples along the ray, by that many spacings.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 normal, vec3 tangent, float beta) {\n"
     "    vec3 direction = tangent;\n"
     "    vec2 horizon = vec2(0.0);\n"
@@ -3348,9 +3348,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return horizon;\n"
     "}\n" },
 
+/* Returns the occlusion above the horizon H along a tangent [HSAO08 3.3, corrected]. The z^2 of its normal rays are
+   spread evenly over [H^2, 1]. */
 { "ssgi_above", NULL, __LINE__ + 1,
-    "// Returns the occlusion above the horizon H along a tangent [HSAO08 3.3, corrected]. The z^2 of its normal rays\n"
-    "// are spread evenly over [H^2, 1].\n"
     "float ssgi_above(vec3 start, vec3 normal, vec3 tangent, float H, vec2 random) {\n"
     "    float sum = 0.0;\n"
     "    for (int ray = 0; ray < SSGI_NORMAL_RAYS; ++ray) {\n"
@@ -3419,9 +3419,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return 2.01098408 + squared * (-0.43954273 + squared * (0.21090284 - 0.21154786 * squared));\n"
     "}\n" },
 
+/* Returns acos c - c sin acos c of a cosine c, with an error of 0.0015 at most. squared is c * c. The result is 0 for
+   c = 1; less pi / 2 it is an odd function of c. */
 { "ssgi_arc_odd", NULL, __LINE__ + 1,
-    "// Returns acos c - c sin acos c of a cosine c, with an error of 0.0015 at most; squared is c * c. The result is\n"
-    "// 0 at c = 1. Less pi / 2 it is an odd function of c.\n"
     "float ssgi_arc_odd(float cosine, float squared) {\n"
     "    return 1.57079633 - cosine * ssgi_arc_slope(squared);\n"
     "}\n" },
@@ -3638,9 +3638,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return side;\n"
     "}\n" },
 
+/* Returns which shares of a way that is `pixels` long lie in the picture, ahead of pixel and behind it. They are a
+   little too small, so that no texel beyond the picture is read by rounding. */
 { "ssgi_edges", NULL, __LINE__ + 1,
-    "// Returns which shares of a way that is `pixels` long lie in the picture, ahead of pixel and behind it. They\n"
-    "// are a little too small, so that no texel beyond the picture is read by rounding.\n"
     "vec2 ssgi_edges(ivec2 pixel, vec2 pixels) {\n"
     "    vec2 per = 1.0 / (pixels + 1e-9);\n"
     "    vec2 low = (vec2(pixel) + 0.499) * per;\n"
@@ -3811,10 +3811,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
+/* Adds the light that the surface at a pixel and the second slab behind it send, each times the share that it occludes.
+   offset leads from the receiver to the surface. A surface that is seen edge-on, within the rounding of its normal,
+   sends nothing. */
 { "ssgi_add_sent", "SSGI_BOUNCE", __LINE__ + 1,
-    "// Adds the light that the surface at a pixel and the second slab behind it send, each times the share that it\n"
-    "// occludes. offset leads from the receiver to the surface. A surface that is seen edge-on, within the rounding\n"
-    "// of its normal, sends nothing.\n"
     "void ssgi_add_sent(inout ssgi_sums sums, ivec2 pixel, vec3 offset, float share, float second) {\n"
     "    uvec2 texel = texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 normal = ssgi_unpack_normal(texel.y);\n"
@@ -4223,9 +4223,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    second += weight * vec4(bytes.y & 255u, bytes.y >> 8 & 255u, bytes.y >> 16 & 255u, bytes.y >> 24);\n"
     "}\n" },
 
+/* Writes the field's eight components along direction, each in [0,1]. They are interpolated bilinearly, at the edges of
+   a face with its border of one texel. layer: the field's resolution, and its layer of the texture. */
 { "ssgi_field_fetch", NULL, __LINE__ + 1,
-    "// Writes the field's eight components along direction, each in [0,1]. They are interpolated bilinearly, at the\n"
-    "// edges of a face with its border of one texel. layer: the field's resolution, and its layer of the texture.\n"
     "void ssgi_field_fetch(vec3 direction, vec2 layer, out vec4 first, out vec4 second) {\n"
     "    vec3 lengths = abs(direction); // square.z, below, is the number of the cube's face.\n"
     "    vec3 square = vec3(vec2(direction.z < 0.0 ? -direction.x : direction.x, -direction.y) / lengths.z,\n"
@@ -4249,10 +4249,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    second *= 1.0 / 255.0;\n"
     "}\n" },
 
-/* [AOF05 eq. 3] */
+/* Returns the cosine-weighted occlusion, 0..1, by a spherical cap, at most a hemisphere [AOF05 eq. 3]. edge is the
+   cosine of its angular radius, sine_squared the squared sine. cosine is that between its axis and the normal. */
 { "ssgi_cap", NULL, __LINE__ + 1,
-    "// Returns the cosine-weighted occlusion, 0..1, by a spherical cap, at most a hemisphere. edge is the cosine of\n"
-    "// its angular radius, sine_squared the squared sine. cosine is that between its axis and the normal.\n"
     "float ssgi_cap(float edge, float sine_squared, float cosine) {\n"
     "    if (cosine * cosine >= sine_squared) return sine_squared * max(cosine, 0.0);\n"
     "    float x = edge * inversesqrt(sine_squared);\n"
@@ -4260,10 +4259,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ((cosine * atan(width, -x * cosine) - x * width) * sine_squared + atan(width, x)) * 0.318309886;\n"
     "}\n" },
 
-/* [AOF05 section 4.2] */
+/* Returns a cap's occlusion from your table, interpolated bilinearly between the centres of texels [AOF05 section 4.2].
+   solid_angle is the cap's solid angle over 2 pi. */
 { "ssgi_cap_table", NULL, __LINE__ + 1,
-    "// Returns a cap's occlusion from your table, interpolated bilinearly between the centres of texels. solid_angle\n"
-    "// is the cap's solid angle over 2 pi.\n"
     "float ssgi_cap_table(float solid_angle, float cosine) {\n"
     "    ivec2 last = textureSize(t_ssgi_cap, 0) - 1;\n"
     "    vec2 place = clamp(vec2(solid_angle, cosine + 1.0) * 0.5, 0.0, 1.0) * vec2(last);\n"
@@ -4409,9 +4407,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_WHOLE", NULL, __LINE__ + 1,
     "const float SSGI_WHOLE = 1e-5; // a count that is so little above a whole number is rounded down\n" },
 
+/* Returns into how many parts the edges of a triangle are divided, so that level 64 has enough points for each part. z:
+   view depths of its corners. */
 { "ssgi_parts", NULL, __LINE__ + 1,
-    "// Returns into how many parts the edges of a triangle are divided, so that level 64 has enough points for each\n"
-    "// part. z: view depths of its corners.\n"
     "int ssgi_parts(vec3 z, float area) {\n"
     "    float low = min(z.x, min(z.y, z.z));\n"
     "    float high = max(z.x, max(z.y, z.z));\n"
@@ -4566,9 +4564,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_nothing", NULL, __LINE__ + 1,
     "void main() {} // Nothing is drawn, but GLES requires a fragment stage.\n" },
 
+/* Returns a block's hash. Exclusive or with it turns a pixel's place in the block into the number of its sub-buffer,
+   and that number into the place. */
 { "ssgi_interleave", NULL, __LINE__ + 1,
-    "// Returns a block's hash. Exclusive or with it turns a pixel's place in the block into the number of its\n"
-    "// sub-buffer, and that number into the place.\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint hash = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
     "    return ivec2(int(hash & 255u), int((hash >> 8) & 255u)) & mask;\n"
@@ -4737,9 +4735,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(dot(offset, normal), 0.0) / (squared * (squared + radius_squared));\n"
     "}\n" },
 
+/* Returns the form factor of a disc, without the factors area/pi, weight and cosine at the disc. offset leads to its
+   centre; facing is its normal. */
 { "ssgi_form", NULL, __LINE__ + 1,
-    "// Returns the form factor of a disc, without the factors area/pi, weight and cosine at the disc. offset leads\n"
-    "// to its centre; facing is its normal.\n"
     "float ssgi_form(vec3 offset, vec3 normal, vec3 facing, float radius_squared) {\n"
     "#if SSGI_NEAR_SAMPLES > 1\n"
     "    // A near disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
