@@ -130,7 +130,7 @@ static int put_texture(const options *o, GLuint texture, GLenum target, const ch
     return all.textures++;
 }
 
-/* Writes the texts of a step. Their files' names live as long as the program. */
+/* Writes the shaders of a step. Their files' names live as long as the program. */
 static int put_texts(const options *o, const ssgi_gl_desc *d, int number, const char *files[SSGI_GL_STAGES],
                      kit_error *err)
 {

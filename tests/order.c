@@ -1,4 +1,4 @@
-/* order.c - prints each pass by its name, with its text, preset and steps. order.sh compares two orders of their
+/* order.c - prints each pass by its name, with its shader, preset and steps. order.sh compares two orders of their
    enum. */
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION

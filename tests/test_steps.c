@@ -22,7 +22,7 @@ typedef struct host {
 
 static GLuint keep(host *h, GLuint texture) { return h->all[h->textures++] = texture; }
 
-/* Compiles a program once for each context: equal keys mean equal texts. */
+/* Compiles a program once for each context: equal keys mean equal shaders. */
 static GLuint program_of(const ssgi_gl_desc *desc)
 {
     const uint64_t key = ssgi_gl_key(desc);

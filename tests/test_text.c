@@ -1,4 +1,4 @@
-/* test_text.c - the emitted text, by public functions: compilers, snprintf's rules, reflection, names, sentences. */
+/* test_text.c - the emitted shaders, by public functions: compilers, snprintf's rules, reflection, names, sentences. */
 #include "own.h"
 #include "kit/kit_gl.h"
 
@@ -72,7 +72,7 @@ static int stages_of(const ssgi_gl_desc *d)
            | (tessellated && d->pass == SSGI_GL_PASS_DSS ? 1 << SSGI_GL_STAGE_GEOMETRY : 0);
 }
 
-/* The text of a stage, or "" if the pass does not have it. */
+/* The shader of a stage, or "" if the pass does not have it. */
 static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
 {
     size_t n = ssgi_gl_emit(text, TEXT, d, stage);
@@ -144,8 +144,8 @@ static int has_new_line(set_of *lines, const ssgi_gl_desc *d)
     return lines->count > before;
 }
 
-/* A search or a tessellator is a shape if it changes the plain text. Of a few random descs of a shape the one with the
-   most new pairs is taken, until none has a new pair; then descs with a new line, which depends on more than two
+/* A search or a tessellator is a shape if it changes the plain shader. Of a few random descs of a shape the one with
+   the most new pairs is taken, until none has a new pair; then descs with a new line, which depends on more than two
    fields; with T_ALL as many random ones, for combinations of three. */
 static void make_variants(void)
 {
@@ -190,7 +190,7 @@ static void make_variants(void)
 
 /* ---- >>compilers ------------------------------------------------------------------------------------------------- */
 
-static struct { ssgi_gl_desc desc; int stage; } spoken[4 * MOST];       /* the texts that are compiled */
+static struct { ssgi_gl_desc desc; int stage; } spoken[4 * MOST];       /* the shaders that are compiled */
 static int texts;
 static struct { int texts, vulkan, read; char problem[1000]; } glslang;
 
@@ -205,7 +205,7 @@ static size_t toolbox_of(char *out, size_t capacity, const ssgi_gl_desc *d)
     return d->pass == SSGI_GL_PASS_AOF ? ssgi_gl_field(out, capacity, d) : ssgi_gl_read(out, capacity, d);
 }
 
-/* The text of a stage; PROGRAM: of all stages, one after another; TOOLBOX: of toolbox_of, with a main that calls it. */
+/* The shader of a stage; PROGRAM: all stages, one after another; TOOLBOX: toolbox_of, with a main that calls it. */
 static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
 {
     if (stage == PROGRAM)
@@ -230,7 +230,7 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
     return text;
 }
 
-/* Adds a desc's text, unless another desc has the same, as a pass does not look at all fields. */
+/* Adds a desc's shader, unless another desc has the same, as a pass does not look at all fields. */
 static void speak_once(const ssgi_gl_desc *d, int stage)
 {
     static char text[SSGI_GL_STAGES * TEXT];
@@ -386,7 +386,7 @@ static void compilers(void)
             glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
             glGetIntegerv(GL_MINOR_VERSION, &version[1]);
         }
-        /* compiles ES texts, too: ARB_ES3_2_compatibility */
+        /* compiles ES shaders, too: ARB_ES3_2_compatibility */
         if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
         for (int i = 0, bad = 0; i < texts && bad < 3; ++i) {
@@ -408,7 +408,7 @@ static void compilers(void)
 
 /* ---- >>law: snprintf's ------------------------------------------------------------------------------------------- */
 
-/* Text number k: first stages of some variants, then the functions that stand alone. */
+/* Shader number k: first stages of some variants, then the functions that stand alone. */
 static size_t any_text(int k, char *out, size_t capacity)
 {
     const ssgi_gl_desc *const d = &variant[k * (variants / 40)];
@@ -577,7 +577,7 @@ static void reflection(void)
           "reflection of nothing");
 }
 
-/* With loose uniforms the rows are the same, and so is the text behind its declarations. A compiler finds a missing
+/* With loose uniforms the rows are the same, and so is the shader behind its declarations. A compiler finds a missing
    declaration; the test "what is off leaves nothing" finds one too many. */
 static void loose_uniforms(void)
 {
@@ -629,7 +629,7 @@ static int place_in(const uint32_t *word, size_t words, const char *name)
     return set < 0 || binding < 0 ? -1 : 100 * set + binding;
 }
 
-/* Whether a text uses a word that it declares, such as a member of a block. */
+/* Whether a shader uses a word that it declares, such as a member of a block. */
 static int reads(const char *text, const char *word)
 {
     int times = 0;
@@ -756,8 +756,8 @@ static void translated(void)
 
 /* ---- >>names ----------------------------------------------------------------------------------------------------- */
 
-/* Whether a text uses every name of ours that it declares; compilers check the reverse. An output of a stage counts as
-   used in the next one; a global variable must be read as well. Members of a block may be unused. */
+/* Whether a shader uses every name of ours that it declares; compilers check the reverse. An output of a stage counts
+   as used in the next one; a global variable must be read as well. Members of a block may be unused. */
 static int all_used(const char *text, const char *of)
 {
     enum { KNOWN = 400 };
@@ -1151,7 +1151,7 @@ static void every_field(void)
     CHECK(found == SSGI_GL__FIELDS, "%d fields in the header, %d in ssgi_gl__fields", found, SSGI_GL__FIELDS);
 }
 
-/* Every line and every row of the library are in a compiled text. */
+/* Every line and every row of the library are in a compiled shader. */
 static void every_line(void)
 {
     static char text[SSGI_GL_STAGES * TEXT], line_of[400];

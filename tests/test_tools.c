@@ -175,7 +175,7 @@ static void own_chain(void)
     REFUSED("$G --chain", wrong);
 }
 
-/* The headers without a C library, in node: every text and row of the manifest, blocks as in C, errors. */
+/* The headers without a C library, in node: every shader and row of the manifest, blocks as in C, errors. */
 static void wasm(void)
 {
     static const char *const blocks =

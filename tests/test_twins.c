@@ -275,8 +275,8 @@ static int draw(float *result, GLuint program, int output, int components, int w
     return CHECK(!read, "what is drawn cannot be read");
 }
 
-/* Replaces the main function of a text by statements that make o from in, and draws it to out. X(k): texel k of the
-   pixel's four of in, a: its own; Y(k): the same of map, which also is every texture of the text if `mapped`. */
+/* Replaces the main function of a shader by statements that make o from in, and draws it to out. X(k): texel k of the
+   pixel's four of in, a: its own; Y(k): the same of map, which also is every texture of the shader if `mapped`. */
 static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, int mapped, const char *statements)
 {
     static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
@@ -733,7 +733,7 @@ typedef enum numbers {
 } numbers;
 
 /* The statement makes o of inputs a, which are in [low,high] or set by numbers_of; want makes three results in C. Pass
-   "reflection" stands for the text of ssgi_gl_reflection. by: a parameter of want. */
+   "reflection" stands for the shader of ssgi_gl_reflection. by: a parameter of want. */
 typedef struct term {
     const char *name, *pass, *words, *statement;
     float low, high;

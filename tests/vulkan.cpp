@@ -2,7 +2,7 @@
 
       build/vulkan-replay CAPTURE [TEXTS] [ID=VALUE ..]
 
-   TEXTS: the folder of the texts and the manifest, unless it is the capture's own. ID=VALUE: a specialisation constant.
+   TEXTS: the folder of shaders and manifest, unless it is the capture's own. ID=VALUE: a specialisation constant.
    Prints the largest RMSE of all frames and results against the kit's. Status 1: the validation layer had a message, or
    a result shows no surface, so that nothing was compared. */
 #define main host_main

@@ -54,7 +54,7 @@ aof         casters aof set occluders=all,field_resolution=4,rays=16
 dss         casters dss
 END
 
-# With the constant (constant_id 2) at 10, texts of 6 samples draw the same as texts of 10; without it they do not.
+# With the constant (constant_id 2) at 10, shaders of 6 samples draw the same as shaders of 10; without it they do not.
 capture steps-6 room hsao set samples=6 && capture steps-10 room hsao set samples=10
 replay $work/steps-10 $work/steps-6 2=10
 special=$rmse

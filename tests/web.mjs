@@ -1,4 +1,4 @@
-/* web.mjs - make web-test: the texts of WebGL 2, and the page of make web, in a browser without a window.
+/* web.mjs - make web-test: the shaders of WebGL 2, and the page of make web, in a browser without a window.
    node tests/web.mjs [WORD OF A TEST], from the repository's root after make web. */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, statSync, readdirSync, writeFileSync } from 'node:fs';
@@ -87,7 +87,7 @@ await run('each setting takes its values, which an address carries; all else is 
     check(Object.keys(Object.prototype).length === 0, 'Object.prototype has got members');
 });
 
-/* ---- the texts */
+/* ---- the shaders */
 
 await run('every text of WebGL 2 compiles, vertex and fragment of every variant link', async () => {
     const page = await browser.newPage();
@@ -119,8 +119,8 @@ await run('every text of WebGL 2 compiles, vertex and fragment of every variant 
         return { texts: shaders.size, programs: programs.length, wrong };
     });
     await page.close();
-    note(`${texts} texts compiled, ${programs} programs linked, ${wrong.length} with a complaint`);
-    check(texts > 200 && programs > 200, `only ${texts} texts, ${programs} programs`);
+    note(`${texts} shaders compiled, ${programs} programs linked, ${wrong.length} with a complaint`);
+    check(texts > 200 && programs > 200, `only ${texts} shaders, ${programs} programs`);
     check(!wrong.length, wrong.join('\n'));
 });
 

@@ -1,7 +1,7 @@
-/* webgpu.mjs - make webgpu-test: WGSL in a browser. Every text of make glsl WGSL=1 becomes a module, and with its other
-   stage a pipeline; browsers refuse words that WGSL reserves, and the tint that translates does not. The page
+/* webgpu.mjs - make webgpu-test: WGSL in a browser. Each shader of make glsl WGSL=1 becomes a module, and with its
+   other stage a pipeline; browsers refuse words that WGSL reserves, and the tint that translates does not. The page
    examples/hosts/webgpu.html draws with the package of make npm. webgpu-page.mjs compares the pictures of chains.
-   node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the texts lie in build/webgpu-test. */
+   node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the shaders lie in build/webgpu-test. */
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
 import { check, end, launch, note, run, serve, skip, withWebgpu } from './web-kit.mjs';
@@ -47,7 +47,7 @@ await run('every text is there, and a module', () => {
     const needed = [...programs, ...steps].flatMap(({ vert, frag }) => [vert, frag]);
     const lacking = needed.filter(name => !said.has(name));
     const refused = [...said.values()].flatMap(lines => lines[0] ?? []);
-    note(`${names.length} texts, ${refused.length} refused`);
+    note(`${names.length} shaders, ${refused.length} refused`);
     check(programs.length > 200 && steps.length > 100 && !lacking.length,
           `${programs.length} programs, ${steps.length} steps lack ${lacking.join(' ')}`);
     check(!refused.length, refused.join('\n'));
@@ -131,5 +131,5 @@ else await run('examples/hosts/webgpu.html draws hsao out of what make npm packs
     await host.close();
 });
 
-console.log(`        ${names.length} texts; WebGPU on ${adapter.vendor} ${adapter.architecture}`);
+console.log(`        ${names.length} shaders; WebGPU on ${adapter.vendor} ${adapter.architecture}`);
 await end();

@@ -1,4 +1,4 @@
-/* against.c - compares two builds of the library: the picture that each accumulator draws with the old build and with
+/* against.c - compares two builds of the library: the picture that each method draws with the old build and with
    the new one, on scenes by seed, and the error of each.
 
       build/against OLD_RENDER NEW_RENDER [ROW ..]

@@ -1,4 +1,4 @@
-/* subjects.c - the rows by which two builds are compared: accumulators, thicknesses, kinds of view. See subjects.h. */
+/* subjects.c - the rows by which two builds are compared: methods, thicknesses, kinds of view. See subjects.h. */
 #include "lab/against/subjects.h"
 
 const quantity quantities[QUANTITIES] = {

@@ -39,8 +39,8 @@ void compiler_close(compiler *c);
 /* Processor time of the calling thread. */
 double compile_seconds(void);
 
-/* spirv_read reads a file, such as FILE.vert.spv; spirv_make translates a stage's text, in any number of threads.
-   relaxed: the text is for OpenGL, so its uniforms and varyings have no numbers. */
+/* spirv_read reads a file, such as FILE.vert.spv; spirv_make translates a stage's shader, in any number of threads.
+   relaxed: the shader is for OpenGL, so its uniforms and varyings have no numbers. */
 int spirv_read(spirv *s, const char *path, kit_error *err);
 int spirv_make(spirv *s, const char *text, VkShaderStageFlagBits stage, int relaxed, kit_error *err);
 

@@ -1,4 +1,4 @@
-/* entered.c - draws passes whose text is edited so that texels tell which bodies they enter. Declared in entered.h. */
+/* entered.c - draws passes with a shader edited so that texels tell which bodies they enter. Declared in entered.h. */
 #include "lab/cost/entered.h"
 #include "lab/against/look.h"
 #include "lab/cost/share.h"

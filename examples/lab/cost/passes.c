@@ -9,7 +9,7 @@ const int sizes[SIZES][2] = { { 1280, 720 }, { WIDTH, HEIGHT }, { 2560, 1440 }, 
 
 /* ---- programs ---------------------------------------------------------------------------------------------------- */
 
-/* The index of the program with these texts and formats. It takes the texts over. */
+/* The index of the program with these shaders and formats. It takes the shaders over. */
 int work_program(work *w, cost_program *p, kit_error *err)
 {
     p->key = kit_hash(KIT_HASH, p->format, sizeof p->format);

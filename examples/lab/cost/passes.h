@@ -25,7 +25,7 @@ typedef struct cost_program {
     char *text[STAGES];
     VkShaderStageFlagBits kind[STAGES];
     spirv stage[STAGES];
-    int stages, formats, relaxed;           /* relaxed: the texts are OpenGL's, with uniforms outside of blocks */
+    int stages, formats, relaxed;           /* relaxed: the shaders are OpenGL's, with uniforms outside of blocks */
     VkFormat format[8];
     double seconds;                         /* glslang's processor time */
     compiled of[MOST_FAMILIES];
@@ -58,13 +58,13 @@ typedef struct work {
     int programs, chains;
 } work;
 
-/* Add a chain; a chain by its name or in words as chain_parse reads them; a pair of files, texts or SPIR-V: FILE.frag
-   or FILE.frag.spv, and the vertex stage of that name, if it is there. */
+/* Add a chain; a chain by its name or in words as chain_parse reads them; a pair of files, GLSL or SPIR-V: FILE.frag or
+   FILE.frag.spv, and the vertex stage of that name, if it is there. */
 int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *err);
 int work_add_chain(work *w, const char *text, kit_error *err);
 int work_add_file(work *w, const char *path, kit_error *err);
 /* work_chain: a chain without passes; NULL: there are too many. work_program: the index of the program with these
-   texts, which it takes over, and formats; -1: there are too many. */
+   shaders, which it takes over, and formats; -1: there are too many. */
 cost_chain *work_chain(work *w, const char *name, kit_error *err);
 int work_program(work *w, cost_program *p, kit_error *err);
 /* Compiles all programs and counts their instructions. */

@@ -1,4 +1,4 @@
-/* share.c - which bodies a text has, and which of them a wave's lanes enter together. Declared in share.h. */
+/* share.c - which bodies a shader has, and which of them a wave's lanes enter together. Declared in share.h. */
 #include "lab/cost/share.h"
 #include <math.h>
 #include <stdint.h>

@@ -7,17 +7,17 @@
 #include "lab/measure/csv.h"
 #include "ssgi_gl.h"
 
-/* line: a line that occurs once in a text. tells: GLSL that goes before the line; it sets a bit of told each time that
-   a pixel comes to the line and enters the body, and sets shown if a surface is seen there. times: how often a pixel
-   comes to the line; 0: directions times steps, for each of two sides. */
+/* line: a line that occurs once in a shader. tells: GLSL that goes before the line; it sets a bit of told each time
+   that a pixel comes to the line and enters the body, and sets shown if a surface is seen there. times: how often a
+   pixel comes to the line; 0: directions times steps, for each of two sides. */
 typedef struct body { const char *name, *line, *tells; int times; } body;
 enum { COVER, COVER_SOLID, SECOND, SENT, UNSETTLED, CHANGED, BODIES };
 extern const body bodies[BODIES];
 
-/* The text of a stage of a pass, which the caller frees; NULL: there is no such stage, or no memory. */
+/* The shader of a stage of a pass, which the caller frees; NULL: there is no such stage, or no memory. */
 char *text_of(const ssgi_gl_desc *d, int stage);
 
-/* The bodies that a text has, in its order. Returns how many. */
+/* The bodies that a shader has, in its order. Returns how many. */
 int bodies_of(int of[BODIES], const char *text);
 
 /* The texels of a wave. */
@@ -36,9 +36,9 @@ double share_of(const told *texel, int width, int height, const tile *t, int tim
    samples; rows of a camera that stands do not count. NAN: there is none. */
 double share_recorded(const csv *shares, int which, const ssgi_gl_desc *d, const tile *t);
 
-/* The mean work of a wave of a pass. share: of each body in its text. If the compiler left as many bodies as the text
-   has, or twice as many for the two sides, each counts by its own share. If the text has one body, all that may be
-   skipped counts by its share. If it has none, all counts. -1: bodies cannot be told apart, and all counts. */
+/* The mean work of a wave of a pass. share: of each body in its shader. If the compiler left as many bodies as the
+   shader has, or twice as many for the two sides, each counts by its own share. If the shader has one body, all that
+   may be skipped counts by its share. If it has none, all counts. -1: bodies cannot be told apart, and all counts. */
 int weigh(counts *c, const counted *of, const double *share, int count);
 
 #endif

@@ -106,7 +106,8 @@ void show_notes(const work *w, int passes)
 
 /* ---- csv --------------------------------------------------------------------------------------------------------- */
 
-/* How many programs a chain has, each once; the bytes of their texts; the milliseconds to compile them for a family. */
+/* How many programs a chain has, each once; the bytes of their shaders; the milliseconds that a family compiles
+   them. */
 static int programs_of(const work *w, const cost_chain *c, int family, size_t *text, double *ms)
 {
     int count = 0;

@@ -318,8 +318,9 @@ static double fit_best(const histogram *h)
     return best;
 }
 
-/* Fills in the share after a picture's own best fit, and after each of a table of fits, from which the best one over
-   all scenes is taken later. Gains are from .61 to 1.65, exponents from .37 to 2.7, in even logarithmic steps. */
+/* Fills in the relative error after a picture's own best fit, and after each of a table of fits, from which the best
+   one over all scenes is taken later. Gains are from .61 to 1.65, exponents from .37 to 2.7, in even logarithmic
+   steps. */
 static void fit_row(row *r, const histogram *h)
 {
     const double share = r->share / r->score.rmse;

@@ -8,9 +8,9 @@
 enum { MOST_PEERS = 32, PEERS_QUICK = 10 };
 
 /* Fills rows of ambient visibility: each peer with the stage's radius, at some of its qualities; if most is below
-   MOST_PEERS, one quality of each, PEERS_QUICK in all. figure[FITTED]: the share after the best fit; figure[FIT + i]:
-   after each of a table of fits. rounds 0: not timed. pictures: NULL, or room for one a row. Returns how many rows; 0 =
-   none, peers_missing() says why; -1 = failed. The rows' names last until the next call. */
+   MOST_PEERS, one quality of each, PEERS_QUICK in all. figure[FITTED]: the relative error after the best fit;
+   figure[FIT + i]: after each of a table of fits. rounds 0: not timed. pictures: NULL, or room for one a row. Returns
+   how many rows; 0 = none, peers_missing() says why; -1 = failed. The rows' names last until the next call. */
 int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures, kit_error *err);
 /* Why there were no peers, in one line; "" = there were, or none were asked for. */
 const char *peers_missing(void);

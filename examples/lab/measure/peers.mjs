@@ -233,7 +233,7 @@ async function tsl(effect, set, filter) {
 
 /* ---- >>Babylon.js: an engine without a GPU, whose draws are written down ----------------------------------------- */
 
-/* The text takes one of 16 directions even if there are fewer. Past the end browsers read the last, GL any value. */
+/* The shader takes one of 16 directions even if there are fewer. Past the end browsers read the last, GL any value. */
 const past = /\(i\+int\(random\.y\*16\.0\)\) % 16/, kept = 'min($&, SAMPLES - 1)';
 
 class Engine extends NullEngine {

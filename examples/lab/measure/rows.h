@@ -33,7 +33,8 @@ enum {
    degrees, everywhere and in shade; the bounce's noise. */
 enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT_BOUNCE, SPLITS };
 
-/* Noise in bands of frequency (lab/measure/bands.h). A peer's share after each of FITS fits (lab/measure/peers.h). */
+/* Noise in bands of frequency (lab/measure/bands.h). A peer's relative error after each of FITS fits
+   (lab/measure/peers.h). */
 enum { NOISE_BANDS = 4, FIT_GAINS = 9, FIT_EXPONENTS = 9, FITS = 2 * FIT_GAINS * FIT_EXPONENTS };
 
 /* Figures of fields: of the bake; a picture's error; the occluders' reach as a share of the picture, each counted; the
@@ -85,7 +86,7 @@ typedef struct row {
     const char *scene, *label, *method, *settings;   /* rows of one label follow each other and make a curve */
     double bytes, relative, ms, share;
     kit_score score;                                 /* of ambient visibility, or of radiance */
-    /* the groups of columns; without OF_AO share is error[0], and these are known: */
+    /* the groups of columns; without OF_AO these are known, and share is error[0]: */
     int of;
     /* RMSE and bias of radiance, irradiance and bounce, over the mean of the truth */
     double error[3], bias[3];

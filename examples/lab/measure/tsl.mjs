@@ -1,7 +1,7 @@
 /* tsl.mjs - three.js' node effects (GTAONode, DenoiseNode, SSGINode) as GLSL, for peers.mjs.
 
-   Their renderer draws with a backend without a GPU, which builds the texts of the WebGL 2 backend and notes each draw.
-   In the resulting texts plain uniforms replace the blocks. */
+   Their renderer draws with a backend without a GPU, which builds the shaders of the WebGL 2 backend and notes each
+   draw. In the resulting shaders plain uniforms replace the blocks. */
 globalThis.self ??= globalThis;
 globalThis.requestAnimationFrame ??= () => 0;
 globalThis.cancelAnimationFrame ??= () => {};

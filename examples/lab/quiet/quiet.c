@@ -9,7 +9,7 @@
      noise   the same settings with 32 slices
      all     the same settings at full resolution with 32 slices of 20 samples, so: noise, and the patterns of few
              samples and half resolution
-     truth   ray tracing. Its own row is the error of half of its rays, which is no smaller than its grain
+     truth   ray tracing. Its own row is the error of half of its rays, which is no smaller than its noise
    The first two are known for slices alone (hsao and its presets). Figures are RMS of visibility, printed and as csv.
    report/index.html has charts against milliseconds. These are measured if a GPU draws (--context egl), else modelled
    for entries that make cost names, as a CPU's time says little about a GPU. --pictures writes NN-method.png, and
@@ -135,7 +135,7 @@ static int measure_peers(quiet *q, kit_error *err)
     return count;
 }
 
-/* The truth's grain, by the truth of half of its rays. The rays are a sequence whose first half is evenly spread, too.
+/* The truth's noise, by the truth of half of its rays. The rays are a sequence whose first half is evenly spread, too.
    For independent rays the half differs from the whole by the whole's own error; for these by more. */
 static int measure_grain(quiet *q, kit_error *err)
 {
