@@ -240,8 +240,8 @@ glsl: build/glsl-text
 passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/docs/PASSES.md
 
-# Pictures of README and TUNING.md. ONLY=radius: those whose names contain it. examples/docs/beside.py makes the crop
-# beside other libraries' effects.
+# Pictures of README, METHODS.md and TUNING.md. ONLY=radius: those whose names contain it. examples/docs/beside.py makes
+# the crop beside other libraries' effects.
 pictures: build/render
 	@ONLY='$(ONLY)' sh examples/docs/pictures.sh
 
@@ -351,7 +351,8 @@ tree: $(KIT_O) $(patsubst %,build/examples/%.o,$(OF_render) $(OF_report) $(GLSL)
 # of the library and of the examples. Only programs that their files name are built.
 GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
-PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files bench fit)
+PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files bench fit report try quiet reflection \
+            stability)
 NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
 RUN      := $(or $(strip $(ASKED)),$(OF_LIBRARY))
 test: $(if $(filter files,$(RUN)),page-deps) \

@@ -14,8 +14,22 @@ async function open(width, height, hash = '') {
     return page;
 }
 
-await run('the first screen has a picture of each method beside its truth, and tells when to take which', async () => {
+await run("the page opens with README's pictures, each of its own shape and whole on the first screen", async () => {
+    for (const [width, height] of [[1280, 720], [390, 844]]) {
+        const page = await open(width, height);
+        const seen = await page.$$eval('main > details:first-child[open] img', all => all.map(i => ({
+            whole: i.complete && i.naturalWidth === +i.getAttribute('width')
+                   && i.naturalHeight === +i.getAttribute('height'),
+            below: i.getBoundingClientRect().bottom })));
+        await page.close();
+        check(seen.length === 3 && seen.every(i => i.whole), `${width}: ${JSON.stringify(seen)}`);
+        check(width < 800 || seen.every(i => i.below <= height), `${width}: ${JSON.stringify(seen)}`);
+    }
+});
+
+await run('beneath them a screen has a picture of each method beside its truth, and tells when to take which', async () => {
     const page = await open(1280, 800);
+    await page.click('main > details:first-child summary');
     const seen = await page.evaluate(() => {
         const below = selector => [...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect().bottom);
         return { pictures: below('.methods img'), table: below('.when tr'), height: document.body.scrollHeight,

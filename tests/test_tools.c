@@ -1031,6 +1031,10 @@ static void what_is_printed(void)
         works("python3 -c 'import json; json.load(open(\"json.txt\"), parse_constant=exit)'");
     works("test \"$($R --version)\" = 'ssgi 0.5' && for o in --help --list '--list s3ho'; do $R $o | "
           "awk 'length > 100 { exit 1 }' || exit 1; done");
+    works("for p in $T/build/report $T/build/try $T/build/quiet $T/build/reflection $T/build/stability $T/build/bench "
+          "$T/build/fit; do test \"$($p --version)\" = 'ssgi 0.5' && $p --help | "
+          "awk 'length > 100 || (NR == 1 && !/^usage: /) { exit 1 } END { if (NR < 5) exit 1 }' || "
+          "{ echo $p; exit 1; }; done");
     CHECK(works("$R --list s3ho") && strstr(said, "none [joint] apart") && strstr(said, "[linear] square")
               && strstr(said, "4 in 1..4"), "the settings of s3ho: %s", said);
 }

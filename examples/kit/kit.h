@@ -65,6 +65,10 @@ void   kit_json_number(FILE *out, double v, int decimals);
 /* Prints the words of a text, the first at `column`, in lines of at most `most` characters. Later lines begin at
    `indent`. */
 void   kit_print_words(const char *text, int column, int indent, int most);
+/* A program's help: the text after "usage: ", then entries up to one without a text. An entry without a name is a
+   paragraph. Prints it if --help or -h is the only argument, or the version if --version is; 1: it printed. */
+typedef struct kit_help_entry { const char *name, *text; } kit_help_entry;
+int    kit_help(int argc, char **argv, const char *usage, const kit_help_entry *entry);
 /* Called at a program's start and end. open: gives closed standard streams /dev/null, so that no file takes their
    place, and turns the signal for a file above the size limit into an error. close: -1 if printed text was lost. */
 void   kit_streams_open(void);

@@ -1,12 +1,7 @@
-/* fit.c - fits the table of choices in ssgi.h's room >>plan to the measurements of "report fit" (report/plan-fit.csv),
-   and prints it, to be put there.
+/* fit.c - fits the table of choices in ssgi.h's room >>plan to the measurements of "report fit": --help says how.
 
-      build/fit report/plan-fit.csv [report/plan-gpu.csv]
-
-   The second file has a GPU's costs: measured by make bench, or modelled by make cost (report/plan-cost.csv). Numbers
-   that neither file has, such as splats, stay as in ssgi.h. With an empty plan-fit.csv (/dev/null: make fit-gpu,
-   make fit-cost) only the column of a GPU's costs changes. A choice's squared error is a sum of terms, each times a
-   number that is at least 0. These numbers are found by least squares of relative errors, one after another. */
+   A choice's squared error is a sum of terms, each times a number that is at least 0. These numbers are found by least
+   squares of relative errors, one after another. */
 #define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #include "../../ssgi.h"
@@ -253,14 +248,25 @@ static void print_choice(int c, int count, double own[MOST_TERMS], double gpu)
     fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
 }
 
+static const char usage[] =
+    "usage: fit PLAN-FIT.csv [COSTS.csv]\n"
+    "Fits the planner's table to measured errors and prints it, to be put into ssgi.h, room >>plan.\n"
+    "  PLAN-FIT.csv            The errors that build/report fit has written. If the file is empty\n"
+    "                          (/dev/null), only the column of costs changes.\n"
+    "  COSTS.csv               Costs on a GPU: plan-gpu.csv of make bench, which are measured, or\n"
+    "                          plan-cost.csv of make cost-plan, which are estimated. A choice that is\n"
+    "                          in neither file keeps its costs.\n";
+
 int main(int argc, char **argv)
 {
+    const char *const asked = argc == 2 ? argv[1] : "";
     double own[MOST_TERMS], gpu[SSGI_PLAN_CHOICES] = { 0 };
+    if (!strcmp(asked, "--help") || !strcmp(asked, "-h")) return fputs(usage, stdout) < 0;
+    if (!strcmp(asked, "--version")) return printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR) < 0;
     FILE *f = argc == 2 || argc == 3 ? fopen(argv[1], "r") : NULL;
     FILE *measured_gpu = argc == 3 ? fopen(argv[2], "r") : NULL;
     if (!f || (argc == 3 && !measured_gpu)) {
-        fprintf(stderr, argc < 2 ? "usage: fit plan-fit.csv [plan-gpu.csv]\n" : "fit: %s: cannot be read\n",
-                argv[f ? argc - 1 : argc > 1]);
+        fprintf(stderr, argc < 2 ? usage : "fit: %s: cannot be read\n", argv[f ? argc - 1 : argc > 1]);
         return 2;
     }
     const int bad = measured_gpu && read_gpu(gpu, measured_gpu, argv[2]), count = bad ? -1 : read_rows(f, argv[1]);

@@ -1,12 +1,8 @@
 /* reflection.c - ways to dim reflected light by ambient visibility, on scenes by seed: ssgi_interreflected beside
    path-traced white rooms, ssgi_specular_visibility beside traced glossy lobes.
 
-      build/reflection [--from 1000] [--count 14]
-
-   A row is a way to dim light; the columns are albedos of rooms and roughnesses of lobes. Errors are relative to that
-   of light that is not dimmed, as means over the scenes. Visibility and bent normals are once traced, which shows the
-   formulas' own error, and once drawn by hsao and by s3ho's coefficients of 2 bands. Pictures are 1280x720; the truth
-   is traced at every 22nd pixel both ways, by 128 rays. */
+   Visibility and bent normals are once traced, which shows the formulas' own error, and once drawn by hsao and by
+   s3ho's coefficients of 2 bands. The truth is traced at every 22nd pixel both ways, by 128 rays. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -123,18 +119,29 @@ static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
     return 0;
 }
 
+static const char usage[] = "reflection [--from SEED] [--count SCENES]";
+static const kit_help_entry help[] = {
+    { NULL, "Compares ways to dim reflected light by ambient visibility with path tracing, on scenes by seed. It "
+            "prints a table: a row for each way, a column for each albedo of a white room and for each roughness of a "
+            "glossy lobe. An error is divided by that of dimming nothing, and is the mean of the scenes." },
+    { "--from SEED", "The first seed [1000]." },
+    { "--count SCENES", "The number of scenes [14]." },
+    { NULL, NULL }
+};
+
 int main(int argc, char **argv)
 {
     int from = 1000, count = 14;
     double share[WAYS][LIGHTS] = { { 0 } };
     kit_error err = { "" };
+    if (kit_help(argc, argv, usage, help)) return 0;
     for (int i = 1; i + 1 < argc; i += 2) {
         if (!strcmp(argv[i], "--from")) from = atoi(argv[i + 1]);
         else if (!strcmp(argv[i], "--count")) count = atoi(argv[i + 1]);
         else argc = 0;
     }
     if (argc % 2 == 0 || from < 0 || count < 1) {
-        fputs("usage: reflection [--from SEED] [--count SCENES]\n", stderr);
+        fprintf(stderr, "usage: %s\n", usage);
         return 2;
     }
     int failed = kit_gl_open(NULL, &err);

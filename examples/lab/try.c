@@ -1,21 +1,10 @@
-/* try.c - settings tried on scenes by seed, for tuning: the relative error of each, its noise, and the difference to
-   the first one, scene by scene.
+/* try.c - settings tried on scenes by seed, for tuning: --help says how.
 
-      build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
-                [--scenes random:KIND | models] [--judge yes] [--quick] METHOD[:key=value,..] ..
-
-   Charts report on seeds from 1000 on. Nobody may tune on these, so they are refused without --judge. --light: errors
-   of irradiance under the scenes' own environments, without a bounce; --bounce: of one bounce alone. --against: a csv
-   of the same settings in the same order by another build; so a change of the headers is tried in two work trees.
-   Pictures are 1280x720; the truth is at every eleventh pixel both ways, and kept in build/cache. One process a core.
-
+   The truth is at every eleventh pixel both ways, and kept in build/cache. One process a core.
    Noise and error in bands are of visibility on smooth surfaces in shade (lab/measure/bands.h), in thousandths. The
    bands go to 1.2, 3, 8 and 20 pixels. Noise is the difference of two phases; of light it is the difference to the same
    settings with 32 slices, over the mean light. The error is that against two truths at every pixel, without their
-   noise. --quick: the relative error alone. csv: seed, then for each setting the relative error, four bands of noise,
-   four of error; nan: not measured.
-   --scenes random:halls: of one kind alone; models: of packages, one for each seed; model:bunny: that one.
-   examples/lab/ranks.py compares how two such csv rank the settings. */
+   noise. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -244,6 +233,28 @@ static int read_other(trial *t, kit_error *err)
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
+static const char usage[] = "try [options] METHOD[:KEY=VALUE,..] ..";
+static const kit_help_entry help[] = {
+    { NULL, "Tries settings on scenes by seed. For each it prints the relative error, the noise, and the difference "
+            "from the first settings, scene by scene. Images are 1280x720." },
+    { "METHOD[:KEY=VALUE,..]", "A method and its settings, as build/render takes them: hsao:samples=12." },
+    { "--from SEED", "The first seed [0]." },
+    { "--count N", "The number of scenes, at least 2 [28]." },
+    { "--scenes NAME", "random:KIND takes scenes of one kind, models takes a model of a package for each seed, and "
+                       "model:NAME that model alone [random]." },
+    { "--light", "Measures irradiance under the scenes' own environments, without a bounce." },
+    { "--bounce", "Measures one bounce alone." },
+    { "--radius F", "Multiplies the radius of each scene by F [1]." },
+    { "--quick", "Measures the error alone, not the noise." },
+    { "--judge yes", "Allows seeds from 1000 on. The charts report on these, so that nothing may be tuned on them." },
+    { "--against F.csv", "Compares with the file that another build wrote for the same settings in the same order, "
+                         "for example in another work tree." },
+    { "--out F.csv", "The file to write [build/try.csv]: the seed, then for each of the settings the error, four bands "
+                     "of noise and four of error. nan is not measured. examples/lab/ranks.py compares the ranks of two "
+                     "such files." },
+    { NULL, NULL }
+};
+
 static int add_entry(trial *t, const char *text, kit_error *err)
 {
     const char *colon = strchr(text, ':');
@@ -288,17 +299,14 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
         return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on need --judge yes, for "
                              "nobody tunes on them", SEEDS_JUDGED);
     if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
-    return t->entries
-             ? 0
-             : kit_fail(err, "usage: try [--from 0] [--count 28] [--light | --bounce] [--radius 1] "
-                             "[--out build/try.csv] [--against other.csv] [--scenes random:KIND | models] "
-                             "[--judge yes] [--quick] METHOD[:key=value,..] ..");
+    return t->entries ? 0 : kit_fail(err, "a method is missing: %s (--help explains it)", usage);
 }
 
 int main(int argc, char **argv)
 {
     static trial t;
     kit_error err = { "" };
+    if (kit_help(argc, argv, usage, help)) return 0;
     int failed = parse(&t, argc, argv, &err);
     if (!failed) {
         t.seed = mmap(NULL, MOST_SEEDS * sizeof *t.seed, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

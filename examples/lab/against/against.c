@@ -1,17 +1,11 @@
 /* against.c - compares two builds of the library: the picture that each method draws with the old build and with
    the new one, on scenes by seed, and the error of each.
 
-      build/against OLD_RENDER NEW_RENDER [ROW ..]
-      build/against build/old/0123abc/build/render build/render hsao
-
-   ROW is the name of a row, or the beginning of several names; without it all rows are compared. OLD_RENDER and
-   NEW_RENDER are build/render of two checkouts. Both draw frames that this program saves, so that the library alone
-   differs; rows of the view SCENE draw the scene itself. Truth is traced at one pixel of 11x11, kept in build/cache.
+   --help lists the arguments. Both builds draw frames that this program saves, so that the library alone differs; rows
+   of the view SCENE draw the scene itself. Truth is traced at one pixel of 11x11, kept in build/cache.
 
    If a row's pictures mean the same, it keeps three limits on the mean over the scenes: of the bias, of the change of
-   the relative error, and of the correlation of the difference between neighbouring 8x8 blocks. All scenes go to
-   report/against.csv. If a row breaks a limit, the difference in its worst scene is written to
-   report/against-ROW-QUANTITY.png. Status 0: all rows keep the limits; 1: a row breaks one; 2: an error. */
+   the relative error, and of the correlation of the difference between neighbouring 8x8 blocks. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -277,9 +271,20 @@ static int want(const char *name, kit_error *err)
     return some ? 0 : kit_fail(err, "%s: there is no such row", name);
 }
 
+static const char usage[] = "against OLD_RENDER NEW_RENDER [ROW ..]";
+static const kit_help_entry help[] = {
+    { NULL, "Compares what two builds of the library draw, on 12 scenes by seed, and the errors of both. It prints a "
+            "line for each row, and writes report/against.csv, and the worst scene of a row that breaks a limit as "
+            "report/against-ROW-QUANTITY.png. The status is 1 if a row breaks a limit, and 2 after an error. make "
+            "against OLD=REVISION builds both programs." },
+    { "OLD_RENDER, NEW_RENDER", "build/render of two checkouts." },
+    { "ROW", "The row of that name, or all rows whose names begin so [all rows]." },
+    { NULL, NULL }
+};
+
 static int parse(int argc, char **argv, kit_error *err)
 {
-    if (argc < 3) return kit_fail(err, "usage: against OLD_RENDER NEW_RENDER [ROW ..]");
+    if (argc < 3) return kit_fail(err, "a program is missing: %s (--help explains it)", usage);
     for (int k = 0; k < 2; ++k) {
         all.render[k] = argv[1 + k];
         if (access(argv[1 + k], X_OK)) return kit_fail(err, "%s: cannot be run", argv[1 + k]);
@@ -306,6 +311,7 @@ int main(int argc, char **argv)
 {
     kit_error err = { "" };
     page csv;
+    if (kit_help(argc, argv, usage, help)) return 0;
     int failed = parse(argc, argv, &err) || folder_make(LOOK_FOLDER, &err) || folder_make(REPORT, &err)
               || page_open(&csv, &err) || visit_all(&err);
     if (!failed) {

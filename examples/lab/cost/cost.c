@@ -1,17 +1,5 @@
 /* cost.c - the cost of passes on a GPU, from the instructions that Mesa's compiler makes of them. Nothing is executed,
-   and no time is measured: milliseconds come from a model (model.h).
-
-      build/cost                     every chain that build/glsl-text --chains names, for RDNA 2 and GCN, also into
-                                     report/cost.csv
-      build/cost CHAIN .. FILE ..    these chains and files, and each of their passes. CHAIN is a name or a chain for
-                                     build/glsl-text --chain; FILE is X.frag or X.frag.spv beside its vertex stage
-        --family navi10,vega10       other GPU families, by their names in RADV_FORCE_FAMILY
-        --against FILE.csv           shows changes since an earlier run
-        --check, --record            compares with examples/lab/cost/recorded.csv, for CI; writes that file anew
-      build/cost --shares            measures how many waves enter the bodies that they may skip, on seeds 0 to 11, and
-                                     writes examples/lab/cost/shares.csv, in three minutes; needs GL, also of a CPU
-      build/cost --plan              the plan's choices on a Radeon RX 6800: report/plan-cost.csv
-      build/cost --peers             effects of other libraries (make peers): also into report/cost-peers.csv
+   and no time is measured: milliseconds come from a model (model.h). --help lists the options.
 
    busy: the body of every `if` is executed; calm: inside loops no body is executed that a wave may skip; weighed: each
    such body counts by the share of waves of 8x8 texels that enter it while the camera turns. Status 1: --check found a
@@ -129,11 +117,30 @@ static int run(work *w, const asked *a, kit_error *err)
     return a->against ? against_show(&now, a->against, err) : 0;
 }
 
+static const char usage[] = "cost [options] [CHAIN ..] [FILE.frag ..] | cost --shares | --plan | --peers";
+static const kit_help_entry help[] = {
+    { NULL, "Compiles passes by Mesa's compiler for GPUs that need not be here, counts their instructions, and "
+            "estimates milliseconds at 1920x1080. Nothing is executed. Without arguments it prints every chain that "
+            "build/glsl-text --chains names, and writes report/cost.csv and report/index.html." },
+    { "CHAIN", "A chain, as build/glsl-text --chain takes it, with each of its passes: hsao,samples=12." },
+    { "FILE.frag", "A shader of yours, or FILE.frag.spv, with its vertex stage beside it." },
+    { "--family NAME,..", "GPU families, by their names in RADV_FORCE_FAMILY [navi21,polaris10]." },
+    { "--against F.csv", "Prints what has changed since the run that wrote this file." },
+    { "--check", "Compares with examples/lab/cost/recorded.csv. The status is 1 if something has changed." },
+    { "--record", "Writes examples/lab/cost/recorded.csv anew." },
+    { "--shares", "Measures how many waves enter the branches that they may skip, on the scenes by seed 0 to 11, and "
+                  "writes examples/lab/cost/shares.csv anew, in three minutes. It draws with GL." },
+    { "--plan", "Estimates the planner's choices on an RX 6800: report/plan-cost.csv." },
+    { "--peers", "Estimates the effects that make peers has brought: report/cost-peers.csv." },
+    { NULL, NULL }
+};
+
 int main(int argc, char **argv)
 {
     kit_error err = { "" };
     asked a = { .against = NULL };
     work *w = &work_of_all;
+    if (kit_help(argc, argv, usage, help)) return 0;
     kit_streams_open();
     if (argc == 2 && !strcmp(argv[1], "--shares")) {
         const int failed = write_shares(&err);

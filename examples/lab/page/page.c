@@ -70,13 +70,16 @@ int page_begin(page *p, const char *name, const char *kind, const char *command,
     return 0;
 }
 
-/* Copies the page's files beside the records. Charts need the last two, which make page-deps takes from npm. */
+/* Copies the page's files beside the records, and README's pictures, which the demo opens with. Charts need the last
+   two, which make page-deps takes from npm. */
 static int copy_page(const char *folder, kit_error *err)
 {
     static const char *const from[] = { "examples/lab/page/index.html", "examples/lab/page/report.js",
+                                        "examples/docs/pictures/lit.png", "examples/docs/pictures/beside-1001.png",
+                                        "examples/docs/pictures/moving.png",
                                         "build/page/node_modules/d3/dist/d3.min.js",
                                         "build/page/node_modules/@observablehq/plot/dist/plot.umd.min.js" };
-    for (int i = 0; i < 4; ++i) {
+    for (size_t i = 0; i < sizeof from / sizeof *from; ++i) {
         char *text, path[4096];
         size_t size;
         if (kit_file_read(&text, &size, from[i], NULL)) continue;

@@ -491,6 +491,18 @@ function missing() {
     return list.length && el('p', { className: 'faint' }, 'More pages, once their commands have run: ', ...list, '.');
 }
 
+/* README's pictures, which the demo opens with; their sizes, so that nothing moves when they arrive. */
+const pictures = [
+    { picture: 'lit', width: 1284, height: 266, label: 'A whole frame, lit by the sky',
+      note: 'without occlusion; with ssdo and one bounce; by ray tracing' },
+    { picture: 'beside-1001', width: 1266, height: 660, label: 'A crop at 200 %, beside the effects of others',
+      note: 'one frame each; README says how it was chosen' },
+    { picture: 'moving', width: 1384, height: 756, label: 'A box that moves, over frames, at 200 %',
+      note: 'with history; without; by ray tracing' }
+];
+const glance = () => el('details', { open: true }, el('summary', {}, el('h2', {}, 'At a glance')),
+                        el('div', { className: 'grid glance' }, ...pictures.map(figure)));
+
 /* Methods in README's order, each with a picture of the demo (drawn: the preset that drew it). */
 const methods = [
     { method: 'hsao', drawn: 'hsao-best', picture: 'ao-bunny-hsao-best', truth: 'ao-bunny-ray-traced-truth',
@@ -537,7 +549,7 @@ function record(of) {
     columns = new Map();
     const is_demo = of === records.demo, above = shown_entries(lead);
     return [
-        el('p', { className: 'contents' }, ...parts.map(({ id, title }, i) => {
+        ...(is_demo ? [glance()] : []), el('p', { className: 'contents' }, ...parts.map(({ id, title }, i) => {
             const [, group, rest] = title.match(/(.+?: )(.+)/) ?? [];
             return el('a', { href: `#${id}`, onclick: () => reveal(id) },
                       group && parts[i - 1]?.title.startsWith(group) ? rest : title);

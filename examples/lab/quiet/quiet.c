@@ -1,19 +1,10 @@
-/* quiet.c - how much of a picture of ambient visibility the eye sees as mottling, in bands of frequency.
+/* quiet.c - how much noise the eye sees in an image of ambient visibility, in bands of frequency.
+   --help lists the options.
 
-      build/quiet [--scene spheres] [--size 960x540] [--radius R] [--rays 256] [--pictures DIR] [--out build/quiet.csv]
-                  [--context egl] [METHOD[:key=value,..]] ..
-
-   --scene: a built-in scene, random:SEED, or a model's file, which stands on a floor. Without entries it measures the
-   presets and other libraries' effects (make peers). It measures one frame of each entry (with history: of a view that
-   stays, settled) over smooth surfaces in shade (bands.h), as the difference to
-     noise   the same settings with 32 slices
-     all     the same settings at full resolution with 32 slices of 20 samples, so: noise, and the patterns of few
-             samples and half resolution
-     truth   ray tracing. Its own row is the error of half of its rays, which is no smaller than its noise
-   The first two are known for slices alone (hsao and its presets). Figures are RMS of visibility, printed and as csv.
-   report/index.html has charts against milliseconds. These are measured if a GPU draws (--context egl), else modelled
-   for entries that make cost names, as a CPU's time says little about a GPU. --pictures writes NN-method.png, and
-   NN-method-band.png: 0.5 + 16 times the bands from 1.2 to 8 pixels, of noise if that is known, else of truth. */
+   Differences are those on smooth surfaces in shade (bands.h). The ones from more slices are
+   known for slices alone (hsao and its presets). Ray tracing has a row of its own, the error of half of its rays, which
+   is no smaller than its noise. The charts' milliseconds are measured if a GPU draws, else modelled for entries that
+   make cost names, as a CPU's time says little about a GPU. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -251,6 +242,25 @@ static int add_entry(quiet *q, const char *text, kit_error *err)
     return m.lit || m.between ? kit_fail(err, "%s: does not draw ambient visibility of the whole scene", text) : 0;
 }
 
+static const char usage[] = "quiet [options] [METHOD[:KEY=VALUE,..]] ..";
+static const kit_help_entry help[] = {
+    { NULL, "Measures the noise that the eye sees in an image of ambient visibility, in bands of frequency. It draws "
+            "one frame; methods that keep history draw a view that stays until it has settled. For each entry it "
+            "prints the RMS difference from the same settings with 32 slices (noise), from full resolution with 32 "
+            "slices of 20 samples (all), and from ray tracing (truth). It adds charts to report/index.html." },
+    { "METHOD[:KEY=VALUE,..]", "A method of ambient visibility and its settings, as build/render takes them. Without "
+                               "any, the presets are drawn, and the effects that make peers has brought." },
+    { "--scene NAME", "A built-in scene, random:SEED, or the file of a model, which stands on a floor [spheres]." },
+    { "--size WxH", "The size of the image in pixels, each 64 to 8192 [960x540]." },
+    { "--radius R", "The radius, in units of the scene [the scene's own]." },
+    { "--rays N", "The rays of the ground truth for each pixel [256]." },
+    { "--pictures FOLDER", "Writes each image there, NN-METHOD.png, and 16 times its noise, NN-METHOD-band.png." },
+    { "--out F.csv", "The file to write [build/quiet.csv]." },
+    { "--context NAME", "osmesa, egl or egl-es: the source of the GL context. If a GPU draws, milliseconds are "
+                        "measured; otherwise they are estimated." },
+    { NULL, NULL }
+};
+
 static int parse(quiet *q, int argc, char **argv, kit_error *err)
 {
     static const char *const presets[] = { "hsao-fast", "hsao", "hsao:slices=3", "hsao-history", "hsao-best",
@@ -312,6 +322,7 @@ int main(int argc, char **argv)
 {
     static quiet q;
     kit_error err = { "" };
+    if (kit_help(argc, argv, usage, help)) return 0;
     if (parse(&q, argc, argv, &err) || measure(&q, &err)) {
         fprintf(stderr, "quiet: %s\n", err.text);
         return 2;
