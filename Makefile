@@ -1,14 +1,13 @@
-# ssgi: the library is ssgi.h and ssgi_gl.h; everything here is examples, tests and measuring.
+# ssgi: the library is ssgi.h and ssgi_gl.h; everything here is for examples, tests and measurements.
 #
-#   make            everything that the kit draws with, into build/
-#   make test       the library's tests; test-all: all others, too: examples, page, hosts, Vulkan, viewer
-#   make demo       the main job, into report/; chart, stability, papers, quiet, peers: what is measured
-#   make viewer     a window; web: a page in build/web/; hosts-test, vulkan: the library in others' hands
-#   make glsl       the text of every pass; wasm, npm: the headers for JavaScript; install: for pkg-config and CMake;
-#                   shared: one library with all functions, for other languages
+#  make            everything that the kit draws with, into build/
+#  make test       the library's tests; test-all: also those of examples, page, hosts, Vulkan, viewer
+#  make demo       the main example, into report/; chart, stability, papers, quiet, peers: measurements
+#  make viewer     a window; web: a page in build/web/; hosts-test, vulkan: the library in other programs
+#  make glsl       the shaders of every pass; wasm, npm: the headers for JavaScript; install: for pkg-config and
+#                  CMake; shared: one library with all functions, for other languages
 #
-# All targets stand below, each under what it is for; those for who edits the headers are in
-# examples/docs/CONTRIBUTING.md.
+# All targets are below, each with its purpose; those for editors of the headers are in examples/docs/CONTRIBUTING.md.
 
 CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
@@ -16,15 +15,15 @@ EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/inclu
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples -Ibuild/include $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lz -lm -lpthread -ldl \
             -Wl,--as-needed $(shell pkg-config --libs assimp 2>/dev/null)
-# Those files of a folder, without their ending.
+# The files of a folder that match, without their ending.
 all_of    = $(patsubst $(1)/%.c,%,$(wildcard $(addprefix $(1)/,$(2))))
-# The kit's rooms, none of which calls another in a circle, as make tree proves.
+# The kit's rooms; make tree proves that none call each other in a circle.
 KIT_BASE  = $(filter-out library%,$(call all_of,examples/kit,*.c))
 KIT       = $(KIT_BASE) $(call all_of,examples/kit,$(addsuffix /*.c,scene scene/tables trace gl run))
 LIBRARY   = library.o library_gl.o
 KIT_O     = $(KIT:%=build/kit/%.o) $(LIBRARY:%=build/kit/%)
 
-# What these ask for is built by as many processors as there are, unless -j says otherwise.
+# These targets are built by as many processes as there are processors, unless -j says otherwise.
 ifneq ($(filter all demo test,$(or $(MAKECMDGOALS),all)),)
 ifeq ($(filter -j% --jobs%,$(MAKEFLAGS)),)
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 1)
@@ -33,21 +32,22 @@ endif
 
 all: build/render build/report build/stability build/glsl-text build/minimal
 
-# What is missing is installed where that can be done, else named in one line.
+# Missing packages are installed if that is possible, else named in one line.
 deps:
 	@sh examples/kit/install.sh
 
-# Copies of the headers that end where their implementations begin, for all that only calls them. An edit behind that
-# place leaves the copies as they are, so that make compiles no more than what includes the whole ../ssgi_gl.h:
-# library_gl.c and the tests with own.h. Compilers still name the true files. The + has make -n tell the truth as well.
+# Copies of the headers without their implementations, for all files that only call them. An edit of an implementation
+# leaves the copies unchanged, so make only compiles files that include the whole ../ssgi_gl.h: library_gl.c and the
+# tests with own.h. Compilers still name the true files. The + makes the copies under make -n, too, which is then
+# correct.
 DECLARED = build/include/ssgi.h build/include/ssgi_gl.h
 $(DECLARED): build/include/%.h: %.h Makefile
 	+@mkdir -p $(@D); { echo '#line 1 "$<"'; sed '/END OF HEADER/q' $<; } >$@.$$$$ && \
 	  if cmp -s $@.$$$$ $@; then rm $@.$$$$; else mv $@.$$$$ $@; fi
 
-# The compiler lists beside each object which files it read (-MMD; with -MP a file on the list may be deleted). An
-# object without a list, as older Makefiles left them, is made again. Tests take -O1: they compile in two thirds of the
-# time, and run as fast.
+# The compiler writes beside each object a list of the files that it read (-MMD; with -MP a listed file may be deleted).
+# An object without a list, made by an older Makefile, is made again. Tests are compiled by -O1: in two thirds of the
+# time, and they run as fast.
 compile   = @mkdir -p $(@D); echo '  cc $@'; $(CC) $(1) -MMD -MP -c $< -o $@
 FLAGS_sanitized = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 FLAGS_threads   = $(KIT_FLAGS) -O1 -fsanitize=thread
@@ -55,7 +55,7 @@ MADE     := $(shell find build/kit build/examples build/tests build/sanitized bu
 LISTS    := $(filter %.d,$(MADE))
 -include $(LISTS)
 $(filter-out $(LISTS:.d=.o),$(filter %.o,$(MADE))): unlisted
-# into which folder, of which, with which flags
+# arguments: the folder of objects, the folder of sources, flags
 define objects
 $(1)/%.o: $(2)/%.c | deps $(DECLARED)
 	$$(call compile,$(3))
@@ -69,8 +69,8 @@ $(eval $(call objects,build/sanitized/tests,tests,$$(FLAGS_sanitized)))
 $(LIBRARY:%=build/kit/%): build/kit/%.o: examples/kit/%.c | deps $(DECLARED)
 	$(call compile,-std=c99 $(WARNINGS) $(CFLAGS))
 
-# Models are read through Assimp where it is: installed once where that can be done, else glTF and others are refused in
-# one line. When it has come or gone, this one file is compiled again.
+# Models are read by Assimp if it can be had; make installs it once if it can, else glTF and other formats are refused
+# in one line. Only this file depends on it: it is compiled again when Assimp was installed or removed.
 build/%/scene/assimp.o: KIT_FLAGS += $(shell pkg-config --exists assimp 2>/dev/null && echo -DKIT_ASSIMP)
 build/kit/scene/assimp.o build/sanitized/scene/assimp.o build/threads/scene/assimp.o: build/assimp
 build/assimp: deps
@@ -79,16 +79,16 @@ build/assimp: deps
 	@version=$$(pkg-config --modversion assimp 2>/dev/null || echo none); \
 	  test "$$version" = "$$(cat $@ 2>/dev/null)" || echo "$$version" >$@
 
-# Programs of the kit and of what is named here, under examples/.
+# Programs made of the kit and of the files that are named here, under examples/.
 examples_of   = $(call all_of,examples,$(addsuffix /*.c,$(1)))
 LAB           = $(call examples_of,lab/measure lab/page)
 OF_render     = $(call examples_of,tools/render)
 OF_report     = lab/report $(LAB) $(call examples_of,lab/chart lab/papers)
 OF_stability  = $(LAB) $(call examples_of,lab/stability)
 OF_bench      = $(LAB) $(call examples_of,lab/bench)
-# Settings tried on scenes by seed, for whoever tunes: build/try hsao hsao:samples=12.
+# Compares settings on scenes by seed, to tune them: build/try hsao hsao:samples=12.
 OF_try        = lab/try $(LAB)
-# Which light ambient visibility dims: interreflection and glossy lobes beside their truth.
+# Interreflection and glossy lobes, the light that ambient visibility dims, beside their ground truth.
 OF_reflection = lab/reflection $(LAB)
 OF_quiet      = $(LAB) $(call examples_of,lab/quiet)
 OF_against    = $(LAB) $(call examples_of,lab/against)
@@ -98,12 +98,12 @@ OF_glsl-text  = tools/glsl/glsl $(GLSL)
 OF_web-scenes = web/scenes
 KITS          = render report stability bench try reflection quiet against cost glsl-text web-scenes
 $(foreach p,$(KITS),$(eval build/$(p): $(OF_$(p):%=build/examples/%.o)))
-# A method's chain with all that it reads and its picture, for tests that draw it through another API.
+# A method's chain with its inputs and its picture, for tests that draw it by another API.
 build/capture: build/tests/capture.o $(GLSL:%=build/examples/%.o)
 $(KITS:%=build/%) build/capture: $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(LIBS_$(@F)) -o $@
 
-# The same under sanitizers, for make test: drawn with once a method.
+# build/render under sanitizers, for make test: it draws with each method once.
 SANITIZED = $(KIT:%=build/sanitized/%.o) $(LIBRARY:%=build/sanitized/%) \
             $(OF_render:%=build/sanitized/examples/%.o)
 build/render-sanitized: $(SANITIZED)
@@ -114,21 +114,21 @@ build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@echo '  cc $@'; $(CC) -E -include GL/osmesa.h -xc /dev/null >/dev/null 2>&1 && gl=-lOSMesa || gl='-lEGL -lGL'; \
 	  $(CC) -std=c11 -Wall -Wextra $(CFLAGS) $< $$gl -lm -o $@
 
-# The main job: a scanned mesh with every method beside the truth; report/index.html.
+# The main example: a scanned mesh by every method, beside the ground truth; report/index.html.
 demo: build/render build/report
 	build/report demo
 report/demo.js: build/report $(wildcard examples/lab/page/*.html examples/lab/page/*.js)
 	build/report demo
-# Headless Chromium opens the page that it wrote.
+# Opens the page that demo wrote in headless Chromium.
 demo-test: report/demo.js web-deps
 	@command -v node >/dev/null || { echo "skipped: everything: no node"; echo "0 passed, 0 failed"; exit 0; }; \
 	node tests/demo.mjs $(ONLY)
 
-# Speed against accuracy, and error on scenes by seed; report/index.html. QUICK=1 is smaller; SCENE=room METHOD=hsao shows
-# one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
-# Some of its scenes and one of its probes come from packages that nothing else needs; without them, the chart says so.
+# Speed against accuracy, and error on scenes by seed; report/index.html. QUICK=1 is smaller. SCENE=room METHOD=hsao:
+# only that scene and methods whose names begin so. CONTEXT=egl draws on a GPU. Some scenes and one probe are in
+# packages that no other target needs; without them, the chart says so.
 PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
-# Half of its scenes by seed are drawn by the commit's hash, so that nobody has seen them before.
+# Half of its scenes by seed come from the commit's hash, so that nothing was tuned on them.
 DRAWN = $(patsubst %,--commit %,$(shell git rev-parse --short=12 HEAD 2>/dev/null))
 chart: build/report | page-deps
 	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs attic))
@@ -136,27 +136,27 @@ chart: build/report | page-deps
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %) $(DRAWN)
 	@$(FIGURES)
 
-# The papers' own tables and figures, theirs beside ours; report/index.html, and their part of
-# examples/docs/FIGURES.md. make papers QUICK=1 is smaller; PAPER=DSS14 or PAPER='DSS14 Figure 7' shows those alone.
+# The papers' tables and figures, their values beside ours; report/index.html, and their part of
+# examples/docs/FIGURES.md. QUICK=1 is smaller; PAPER=DSS14 or PAPER='DSS14 Figure 7' selects some.
 papers: build/report | page-deps
 	build/report papers $(if $(QUICK),--quick) $(if $(PAPER),--paper '$(PAPER)') $(CONTEXT:%=--context %)
 	@$(FIGURES)
 
-# The chart's part on light alone: every pair of a scene and a probe. make light QUICK=1 is smaller.
+# Only the chart's part on light: every pair of a scene and a probe. make light QUICK=1 is smaller.
 light: build/report | page-deps
 	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 	@$(FIGURES)
 
-# The chart's part on scenes by seed alone. make seeds QUICK=1 is smaller. Seeds from 1000 on only
-# report: FROM=0 has those that settings may be tuned on.
+# Only the chart's part on scenes by seed. make seeds QUICK=1 is smaller. Seeds from 1000 on are for reports only:
+# FROM=0 shows the seeds on which settings may be tuned.
 seeds: build/report | page-deps
 	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
 	  $(CONTEXT:%=--context %) $(DRAWN)
 
 NPM = npm install --no-save --ignore-scripts --no-audit --no-fund --silent --prefix
 
-# Effects of other libraries from npm, for the next make chart to measure; none of it is part of the library. make
-# cost-peers models their costs on a GPU.
+# Effects of other libraries from npm, which the next make chart measures; none is part of the library. make cost-peers
+# models their costs on a GPU.
 PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
 peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
@@ -164,13 +164,13 @@ peers:
 	$(NPM) build/peers $(PEERS)
 	@cp examples/lab/measure/peers.mjs examples/lab/measure/tsl.mjs build/peers/
 
-# Where methods fail; report/index.html. make stability QUICK=1 is smaller.
+# The faults of methods; report/index.html. make stability QUICK=1 is smaller.
 stability: build/stability | page-deps
 	build/stability $(if $(QUICK),--quick)
 	@$(FIGURES)
 
-# The page, report/index.html, shows what of all that is there; its charts need these from npm. Of the same records
-# are examples/docs/FIGURES.md and README's chart; of quick runs those beside the page.
+# The page, report/index.html, shows all records that exist; its charts need these packages from npm. The same records
+# give examples/docs/FIGURES.md and README's chart; those of quick runs are written beside the page.
 FIGURES = if command -v node >/dev/null; then node examples/lab/page/figures.mjs report; \
   else echo 'figures: FIGURES.md and charts are left as they are: node is missing (apt-get install nodejs npm)'; fi
 page-deps:
@@ -178,15 +178,15 @@ page-deps:
 	  $(NPM) build/page @observablehq/plot@0.6.17 linkedom@0.18.12; } || { rm -rf build/page/node_modules; false; } || \
 	  echo 'page: npm brought no @observablehq/plot; the page has tables and pictures alone'
 
-# Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table (never on seeds from
-# 1000 on, which only report). Its second column of costs is what make bench measured on a GPU; else what fit-cost
-# models, of what RADV's compiler makes of the choices for an RX 6800.
+# Fits the table of ssgi.h's room >>plan after a change of methods: measures and prints the table (never on seeds from
+# 1000 on, which are for reports only). Its second column of costs is measured on a GPU by make bench; else fit-cost
+# models it from the code that RADV's compiler makes of the choices for an RX 6800.
 fit: cost-plan build/report build/fit
 	@sh examples/kit/models.sh iron-bed stairs
 	build/report fit
 	build/fit report/plan-fit.csv \
 	  $$(for f in report/plan-gpu.csv report/plan-cost.csv; do test -s $$f && echo $$f && break; done)
-# The same table with that column alone changed.
+# The same table with only that column changed.
 fit-gpu: build/fit
 	build/fit /dev/null report/plan-gpu.csv
 fit-cost: cost-plan build/fit
@@ -195,19 +195,19 @@ build/fit: examples/lab/fit.c ssgi.h
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c11 $(CFLAGS) -Wno-unused-function $< -lm -o $@
 
-# Milliseconds of every method on whatever GPU EGL finds, what bounds them, and the plan's costs: report/index.html,
-# bench.csv, plan-gpu.csv. METHOD=hsao: names that begin so, without the plan. SIZE=1920x1080,3840x2160 SECONDS=100
+# Milliseconds of every method on EGL's GPU, their bounds, and the plan's costs: report/index.html, bench.csv,
+# plan-gpu.csv. METHOD=hsao: only names that begin so, without the plan. SIZE=1920x1080,3840x2160 SECONDS=100
 bench: build/bench | page-deps
 	build/bench $(CONTEXT:%=--context %) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(SIZE:%=--size %) \
 	  $(PLAN:%=--plan %) $(SECONDS:%=--seconds %)
 
-# What the eye sees as mottling, of the presets and of what make peers brought. Other entries:
-# build/quiet --scene room hsao hsao:samples=12.
+# The visible noise of the presets and of the effects that make peers installed. For other entries: build/quiet --scene
+# room hsao hsao:samples=12.
 quiet: build/quiet | page-deps
 	build/quiet
 
-# A revision's build/render is made of its own sources, under build/old, once; METHOD="hsao ssdo": those rows, or all whose
-# names begin so. Status 1 is a row that breaks a limit: examples/docs/CONTRIBUTING.md.
+# Builds a revision's build/render from its own sources, under build/old, once. METHOD="hsao ssdo": those rows, or all
+# whose names begin so. Status 1: a row breaks a limit, see examples/docs/CONTRIBUTING.md.
 against: build/against build/render
 	@revision=$$(git rev-parse --verify -q --short=12 '$(OLD)^{commit}') || \
 	  { echo 'against: OLD=$(OLD) is no revision' >&2; exit 2; }; old=build/old/$$revision; \
@@ -215,10 +215,10 @@ against: build/against build/render
 	  mv $$old.part $$old; } || exit 2; \
 	$(MAKE) -C $$old build/render || exit 2; build/against $$old/build/render build/render $(METHOD)
 
-# What RADV's compiler makes of every chain for GPUs that need not be here, and milliseconds by a model; report/cost.csv.
-# ONLY="hsao hsao,best,samples=16 own.frag": those, with their passes; SINCE=FILE.csv: what has changed since that run.
-# cost-test, for CI: beside examples/lab/cost/recorded.csv, which make cost-record writes anew. cost-shares measures how
-# many waves enter what they may leave out: examples/lab/cost/shares.csv, in three minutes.
+# Every chain's instructions by RADV's compiler, for GPUs that need not be present, and milliseconds by a model;
+# report/cost.csv. ONLY="hsao hsao,best,samples=16 own.frag": only those, with their passes; SINCE=FILE.csv: the changes
+# since that run. cost-test, for CI: compares with examples/lab/cost/recorded.csv, which make cost-record writes.
+# cost-shares measures how many waves enter a branch that they may skip: examples/lab/cost/shares.csv, in three minutes.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev
 LIBS_cost  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) \
              -lglslang-default-resource-limits -Wl,--end-group -lstdc++
@@ -228,34 +228,35 @@ cost cost-test cost-record cost-shares cost-plan cost-peers: deps
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
 	$(MAKE) -s --no-print-directory build/cost page-deps && build/cost $(if $(filter cost,$@),\
 	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& { $(FIGURES); }),--$(patsubst test,check,$(@:cost-%=%)))
-# The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
-# make glsl WGSL=1 HLSL=1 MSL=1 SPV=1: what other compilers make of the vulkan ones, beside them; each needs a tool, which
-# is named where it is missing.
+# The shaders of every pass, dialect and choice, as plain files; manifest.json lists the files that belong together.
+# make glsl WGSL=1 HLSL=1 MSL=1 SPV=1 also translates the vulkan shaders; each needs a tool, which is named if it is
+# missing.
 TRANSLATED = $(if $(SPV),spv) $(if $(WGSL),wgsl) $(if $(HLSL),hlsl) $(if $(MSL),msl)
 glsl: build/glsl-text
 	build/glsl-text build/glsl
 	$(if $(strip $(TRANSLATED)),sh examples/tools/glsl/translate.sh build/glsl $(TRANSLATED))
 
-# examples/docs/PASSES.md: what each pass reads and writes, and every choice.
+# examples/docs/PASSES.md: the inputs and outputs of each pass, and every choice.
 passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/docs/PASSES.md
 
-# Pictures of README and TUNING.md. ONLY=radius: those whose names have it. The crop beside others' effects:
-# examples/docs/beside.py.
+# Pictures of README, METHODS.md and TUNING.md. ONLY=radius: those whose names contain it. examples/docs/beside.py makes
+# the crop beside other libraries' effects.
 pictures: build/render
 	@ONLY='$(ONLY)' sh examples/docs/pictures.sh
 
-# The figures of LIMITS.md, again. ONLY=word: rows whose name has it.
+# Measures the figures of LIMITS.md again. ONLY=word: rows whose names contain it.
 failures: build/render build/stability
 	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
 	@python3 examples/lab/failures.py $(ONLY)
 
-# Wrong edits of both headers, each with the test that notices it; tests/mutants.py says how. Forty take six minutes.
+# Makes wrong edits of both headers, each with the test that must notice it; tests/mutants.py explains. Forty take six
+# minutes.
 mutants: build/test
 	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
 	@python3 tests/mutants.py ONLY='$(ONLY)' DRAW='$(DRAW)' SEED='$(SEED)'
 
-# The headers, where pkg-config and CMake's find_package(ssgi) see them under PREFIX.
+# Installs the headers under PREFIX, where pkg-config and CMake's find_package(ssgi) find them.
 PREFIX ?= /usr/local
 VERSION = $(shell sed -n 's/^.define SSGI_VERSION_M[AI][JN]OR //p' ssgi.h | paste -sd.)
 TO      = $(DESTDIR)$(PREFIX)
@@ -270,7 +271,7 @@ install:
 uninstall:
 	@for f in $(INSTALLED); do rm -f '$(TO)'/$$f; done; rmdir '$(TO)/share/cmake/ssgi' 2>/dev/null || true
 
-# All functions of both headers in one library, for languages that call C but do not compile it.
+# One library with all functions of both headers, for languages that call C but do not compile it.
 SHARED = build/libssgi.so
 shared: $(SHARED)
 $(SHARED): ssgi.h ssgi_gl.h
@@ -290,14 +291,14 @@ build/wasm/ssgi.wasm: examples/tools/wasm/ssgi.c examples/tools/wasm/ssgi.mjs $(
 	@echo '  clang $@'; clang $(WASM_FLAGS) $< -o $@
 	@cp examples/tools/wasm/ssgi.mjs $(@D)
 
-# Every chain that build/glsl-text --chains names, in WGSL.
+# Every chain of build/glsl-text --chains, in WGSL.
 build/wgsl/manifest.json: build/glsl-text examples/tools/glsl/translate.sh examples/tools/glsl/wgsl.mjs
 	@command -v glslangValidator >/dev/null || sh examples/kit/install.sh glslang-tools || \
 	  { echo 'npm: glslangValidator is missing (apt-get install glslang-tools)' >&2; exit 2; }
 	@rm -rf build/wgsl && build/glsl-text --chain all --wgsl build/wgsl || { rm -rf build/wgsl; exit 2; }
 
 # An npm package: ssgi.mjs with its types and ssgi.wasm; the chains in WebGL 2's GLSL and in WGSL, with manifests. It is
-# packed, since npm makes a link of a folder, sooner or later, from where bundlers do not find three.
+# packed into a file, because npm may install a folder as a link, from which bundlers do not find three.
 npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@command -v npm >/dev/null || sh examples/kit/install.sh npm || \
 	  { echo 'npm: npm is missing (apt-get install npm)' >&2; exit 2; }
@@ -311,21 +312,21 @@ npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
 	@packed=$$(npm pack ./build/npm --pack-destination build --silent) && echo "npm install $(CURDIR)/build/$$packed"
 
-# The GLSL of ssgi_gl.h as files, a room each, to be read in an editor or beside another revision's.
+# The GLSL of ssgi_gl.h as files, a room each, to be read in an editor or compared with another revision's.
 glsl-out:
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
 	@mkdir -p '$(DIR)' && awk -v folder='$(DIR)' -f examples/tools/glsl/rooms.awk ssgi_gl.h
 
-# Groups of tests: those of the library are make test, those of the examples follow in make test-all.
+# Groups of tests: those of the library run in make test, those of the examples in make test-all.
 OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan math \
               twins library
 OF_EXAMPLES = tools stability errors files models seeds papers cost
-# What tests of the examples call: all but the programs.
+# The files that tests of the examples call: all except the programs.
 TESTED = $(sort $(filter-out lab/report lab/stability/stability lab/stability/show,$(OF_report) $(OF_stability)) \
          $(addprefix lab/,against/compared against/subjects cost/count cost/share cost/model measure/csv))
 build/test: $(addprefix build/tests/,main.o t.o frames.o arguments.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
-# Models that stand in scenes of rows, from packages.
+# Models in scenes by seed, from packages.
 model-deps:
 	@sh examples/kit/install.sh unzip sweethome3d-furniture assimp-testmodels || true
 build/test-examples: | model-deps
@@ -333,24 +334,25 @@ build/test-examples: $(addprefix build/tests/,main.o t.o others.o $(OF_EXAMPLES:
                      $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
 
-# tests/errors.csv with the errors, noise and bounds of this tree; test group errors holds it to them.
+# Writes tests/errors.csv with the errors, noise and bounds of this tree; test group errors checks them.
 errors: build/test-examples
 	T_ERRORS=build/errors.csv build/test-examples errors
 	mv build/errors.csv tests/errors.csv
 
-# Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
+# Reads damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: $(addprefix build/sanitized/,tests/fuzz_files.o tests/others.o $(KIT_BASE:%=%.o) trace/camera.o)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
 
-# No room of examples/ calls one above it.
+# Checks that no room of examples/ calls one above it.
 tree: $(KIT_O) $(patsubst %,build/examples/%.o,$(OF_render) $(OF_report) $(GLSL) $(OF_bench) $(OF_against))
 	@sh tests/tree.sh $(sort $^)
 
-# make test ONLY="math text" runs those groups, make test PASS=blur those that name that pass (SSGI_GL_PASS_BLUR), of
-# the library and of the examples alike: only the programs that their files name are built.
+# make test ONLY="math text" runs those groups, make test PASS=blur those that name that pass (SSGI_GL_PASS_BLUR), both
+# of the library and of the examples. Only programs that their files name are built.
 GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
-PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files bench fit)
+PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files bench fit report try quiet reflection \
+            stability)
 NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
 RUN      := $(or $(strip $(ASKED)),$(OF_LIBRARY))
 test: $(if $(filter files,$(RUN)),page-deps) \
@@ -360,17 +362,17 @@ test: $(if $(filter files,$(RUN)),page-deps) \
 	$(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples $(filter $(OF_EXAMPLES),$(RUN)))
 	$(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test $(filter-out $(OF_EXAMPLES),$(RUN)))
 
-# The library, each of its texts in three dialects, by more compilers and random inputs (T_ALL), then all else:
-# examples, the page, WGSL, hosts, Vulkan, the viewer, the compiler's count. Each ends with its own "N passed, N failed"; a part
-# that needs a program which cannot be had is skipped by name.
+# The library, each of its shaders in three dialects, by more compilers and random inputs (T_ALL), then all else:
+# examples, the page, WGSL, hosts, Vulkan, the viewer, the compiler's count. Each ends with its own "N passed, N
+# failed"; a part that needs a missing program is skipped by name.
 test-all:
 	T_ALL=1 $(MAKE) test
 	$(MAKE) tree
 	$(MAKE) test ONLY='$(OF_EXAMPLES)'
 	for part in demo web webgpu hosts vulkan viewer cost; do $(MAKE) $$part-test || exit 1; done
 
-# In place. Another version of clang-format lays out otherwise, so that only 14 is taken; tables that it would break
-# stand between clang-format off and on.
+# Formats in place, by clang-format 14 only, because other versions give another layout. Tables that it would break are
+# between clang-format off and on.
 CLANG_FORMAT = $(shell command -v clang-format-14 || echo clang-format)
 format:
 	@$(CLANG_FORMAT) --version 2>/dev/null | grep -q 'version 14\.' || \
@@ -384,7 +386,7 @@ clean:
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
         cost-record cost-shares cost-plan glsl mutants failures deps unlisted shared format clean
 
-# A window onto a scene, every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
+# A window onto a scene, with every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)
 VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3)
 viewer: build/viewer
@@ -396,14 +398,14 @@ $(foreach f,build build/sanitized build/threads,$(VIEWER:%=$f/%)): | glfw
 build/viewer: $(VIEWER:%=build/%) $(VIEWER_O:%=build/kit/%)
 	@echo '  cc $@'; $(CC) $^ $(VIEWER_LIBS) -o $@
 
-# The same under sanitizers: of memory and undefined behaviour, of threads.
+# The viewer under sanitizers: of memory and undefined behaviour, of threads.
 build/viewer-sanitized: $(VIEWER:%=build/sanitized/%) $(VIEWER_O:%=build/sanitized/%)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(VIEWER_LIBS) -o $@
 build/viewer-threads: $(VIEWER:%=build/threads/%) $(VIEWER_O:%=build/threads/%)
 	@echo '  cc $@'; $(CC) -fsanitize=thread $^ $(VIEWER_LIBS) -o $@
 
-# It under Xvfb, beside build/render's pictures; what is not installed is named as skipped. FUZZ=300: so many damaged
-# files and arguments.
+# Tests it under Xvfb, beside build/render's pictures; parts whose programs are missing are skipped by name. FUZZ=300:
+# so many damaged files and arguments.
 build/rmse: tests/rmse.c | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
@@ -415,8 +417,8 @@ viewer-test: build/render build/rmse
 	@if pkg-config --exists glfw3; then $(MAKE) -s viewer build/viewer-sanitized build/viewer-threads; fi
 	@FUZZ=$(FUZZ) sh tests/viewer.sh
 
-# The pages of examples/hosts, built without a warning and run: their occlusion beside build/render's. What is not
-# installed is named as skipped. ONLY="glfw sdl": those hosts.
+# Builds the pages of examples/hosts without a warning and runs them: their occlusion beside build/render's. Hosts whose
+# packages are missing are skipped by name. ONLY="glfw sdl": only those hosts.
 HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev \
                 libvtk9-dev
 NPM_HOSTS = $(NPM) build/hosts babylonjs@9.34.0 \
@@ -430,8 +432,8 @@ hosts-test: build/render build/rmse web-deps
 
 .PHONY: viewer glfw viewer-test hosts-test bench
 
-# The page: examples/web on three.js from npm, to be served from build/web; its tests draw it in a browser without a
-# window. What they install lies under build/web-deps; make web-test skips by name what cannot be had.
+# The page: examples/web on three.js from npm, to be served from build/web; its tests draw it in a headless browser.
+# Their packages are in build/web-deps; make web-test skips by name the tests whose programs cannot be had.
 WEB      = $(wildcard examples/web/*.html examples/web/*.css examples/web/*.mjs)
 THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix examples/jsm/,controls/OrbitControls.js \
            $(patsubst %,loaders/%Loader.js,GLTF OBJ MTL DRACO HDR EXR) utils/BufferGeometryUtils.js \
@@ -443,7 +445,7 @@ web: build/web/index.html
 WEB_SSGI = $(addprefix examples/tools/wasm/,ssgi.mjs webgl.mjs three.mjs webgpu.mjs)
 build/web/index.html: $(WEB) $(WEB_SSGI) build/wasm/ssgi.wasm build/web/three/three.module.js \
                       build/web/scenes/scenes.json build/web/wgsl/list.json
-	@rm -f build/web/*.mjs # A module that was renamed would hide the address that still asks for it.
+	@rm -f build/web/*.mjs # else a renamed module would hide imports of its old name
 	@cp $(WEB) $(WEB_SSGI) build/wasm/ssgi.wasm LICENSE examples/docs/pictures/page/first.jpg build/web
 	@touch $@
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
@@ -454,7 +456,7 @@ build/web-deps/node_modules/three/package.json:
 	@mkdir -p build/web-deps
 	@echo '  npm three, esbuild, puppeteer-core'; $(NPM_WEB)
 
-# Of three.js without blanks two thirds are gone; where esbuild is not to be had, as it is.
+# esbuild removes two thirds of three.js; without esbuild it is copied unchanged.
 MINIFY   = build/web-deps/node_modules/.bin/esbuild
 build/web/three/three.module.js: build/web-deps/node_modules/three/package.json
 	@mkdir -p $(@D)/controls $(@D)/loaders $(@D)/utils $(@D)/libs/draco/gltf
@@ -466,13 +468,13 @@ build/web/three/three.module.js: build/web-deps/node_modules/three/package.json
 	  $(@D)/*.js $(@D)/controls/*.js $(@D)/loaders/*.js $(@D)/utils/*.js
 	@touch $@
 
-# What the page's worker makes of triangles. Surfels take two thirds of the time that -Os takes.
+# The page's worker, which makes surfels and fields of triangles. Surfels take two thirds of their time with -Os.
 build/web/index.html: build/web/bake.wasm
 build/web/bake.wasm: examples/web/bake.c $(WASM_LIBC) ssgi.h | build/wasm/ssgi.wasm
 	@mkdir -p $(@D)
 	@echo '  clang $@'; clang $(WASM_FLAGS) -O3 $< -o $@
 
-# A picture of each scene, where it can be drawn, for the page to choose by.
+# A picture of each scene, if it can be drawn, by which the user chooses one on the page.
 THUMB = --method ssdo --env sky --light sun:0.58,0.57,0.58,0.5,0.5,0.4 --size 160x100
 build/web/scenes/scenes.json: build/web-scenes build/render
 	@mkdir -p $(@D)
@@ -480,13 +482,13 @@ build/web/scenes/scenes.json: build/web-scenes build/render
 	  build/render "$$from" $(THUMB) --out $(@D)/$$name.png >/dev/null 2>&1 || rm -f $(@D)/$$name.png; done
 	@build/web-scenes $(@D)
 
-# Every text that its settings can ask for, in WGSL; without a translator the page has WebGL 2 alone.
+# Every shader that the page's settings can need, in WGSL; without a translator the page only has WebGL 2.
 TO_WGSL = examples/web/make/wgsl.mjs $(addprefix examples/web/,chain.mjs settings.mjs show-texts.mjs webgpu-keys.mjs) \
           $(addprefix examples/tools/glsl/,translate.sh wgsl.mjs)
 build/web/wgsl/list.json: build/wasm/ssgi.wasm $(TO_WGSL)
 	@echo '  wgsl $(@D)'; node $(firstword $(TO_WGSL)) build/wasm/ssgi.wasm build/wasm/ssgi.mjs build/web-wgsl $(@D)
 
-# Headless Chromium draws what make web made; last line "N passed, N failed". ONLY=address: tests with that word.
+# Headless Chromium draws the page of make web; last line "N passed, N failed". ONLY=address: tests with that word.
 web-deps:
 	@lacks=; for p in chromium clang:clang wasm-ld:lld npm fonts-dejavu-core; do \
 	  command -v $${p%:*} >/dev/null || test -d /usr/share/fonts/truetype/dejavu -a $$p = fonts-dejavu-core || lacks="$$lacks $${p#*:}"; \
@@ -501,16 +503,16 @@ web-test: web-deps
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
 	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs $(ONLY)
 
-# How long the page takes to its first picture; BESIDE=folder: another build/web, which takes turns with it.
+# The time of the page until its first picture; BESIDE=folder: alternates with another build/web.
 web-first: web-deps web
 	@node tests/web-first.mjs $(or $(COUNT),5) $(BESIDE) build/web
 
-# Pictures of the page, into examples/docs/pictures/page. ONLY=phone: those whose name has that word.
+# Pictures of the page, into examples/docs/pictures/page. ONLY=phone: those whose names contain it.
 web-shots: web-deps web
 	@node tests/web-shots.mjs $(ONLY)
 
-# Headless Chromium compiles the WGSL of every text on WebGPU's software adapter, makes pipelines of them, and draws the
-# page of examples/hosts.
+# Headless Chromium compiles the WGSL of every shader on WebGPU's software adapter, makes pipelines of them, and draws
+# the page of examples/hosts.
 WEBGPU = build/webgpu-test
 webgpu-test: web-deps build/glsl-text build/capture
 	@lacks=; for p in node npm glslangValidator; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
@@ -522,7 +524,7 @@ webgpu-test: web-deps build/glsl-text build/capture
 
 .PHONY: web web-deps web-test web-first web-shots webgpu-test
 
-# Vulkan as the host, and its drawing loop on captures, under sanitizers.
+# The Vulkan host, and its drawing loop on captures, under sanitizers.
 VULKAN_O     = $(KIT_BASE:%=build/kit/%.o) $(LIBRARY:%=build/kit/%)
 VULKAN_FLAGS = -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Iexamples \
                -Ibuild/include -MMD -MP -MF $@.d -MT $@
@@ -534,7 +536,7 @@ build/vulkan-replay: tests/vulkan.cpp $(VULKAN_O)
 	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -g -fsanitize=address,undefined -fno-sanitize-recover=undefined $< \
 	  $(VULKAN_O) -lvulkan $(KIT_LIBS) -o $@
 
-# Chains drawn by lavapipe, with the validation layer, beside the kit's pictures.
+# Chains drawn by lavapipe with the validation layer, beside the kit's pictures.
 VULKAN_NEEDS = mesa-vulkan-drivers vulkan-validationlayers libvulkan-dev nlohmann-json3-dev g++ glslang-tools
 vulkan-test: deps
 	@sh examples/kit/install.sh $(VULKAN_NEEDS) || true

@@ -29,12 +29,13 @@
       errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a
                    static sentence that begins with the argument's name; outputs are then untouched. No function prints,
                    exits, allocates or keeps state: all are reentrant.
+      twins        the GLSL twin of a function is the one in ssgi_gl.h's shaders that computes the same
 
    CONFIG       SSGI_STATIC makes every function static. Nothing else changes the header.
-   ROOMS        search for ">>"
+   ROOMS        the sections of this file; search for ">>"
       >>types      results
       >>view       projection decode: perspective, orthographic, any handedness and depth; extra cameras
-      >>bias       how far depth fetches and shadow maps are off; a radius to begin with
+      >>bias       offsets against self-occlusion and self-shadowing; a first guess of the radius
       >>kernel     low-discrepancy points, sample sets, tiles of noise
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
       >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
@@ -44,7 +45,7 @@
       >>surfels    triangles as discs of about equal size on the screen, their reach, and the cost of splatting them
       >>dipole     multiple scattering under surfaces
       >>cap        occlusion of spherical caps, in closed form and as a table
-      >>reflection occluded light that arrives after all: interreflection; the open share of a glossy lobe
+      >>reflection light that occluders reflect (interreflection); the unoccluded share of a glossy lobe
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       takes the numbers of a scene, gives a method, settings, predicted error and cost
       and at the end of the file the changes of each version (CHANGES) and the licence
@@ -88,14 +89,14 @@ extern "C" {
 
 /* ==== >>types ================================================================================================== */
 
-/* The last enumerator of enum types that are read from you. It makes every int a value of the type, so that a bad one
-   may be read and refused, and it makes the type as wide as an int. */
+/* The last enumerator of each enum type whose values you pass in. With it every int is a value of the type, so that the
+   library can read and refuse a bad value, and the type is as wide as an int. */
 #define SSGI_FORCE (-0x7fffffff - 1)
 
 typedef enum ssgi_result {
     SSGI_OK = 0,
     SSGI_BAD_ARGUMENT, /* the sentence names the argument */
-    SSGI_TOO_SMALL,    /* the memory given does not suffice; the size query tells how much does */
+    SSGI_TOO_SMALL,    /* the memory given is too small; the function that returns its size tells how much is needed */
     SSGI_CANCELLED     /* your progress callback asked for it */
 } ssgi_result;
 
@@ -109,27 +110,27 @@ enum {
                                in D3D, Metal and WebGPU; otherwise it is at NDC y = -1 */
 };
 
-/* The camera parameters that the passes use. ssgi_view_from_projection makes them; they are read-only for you. */
+/* The camera parameters that the passes use, made by ssgi_view_from_projection; read-only for you. [k] is element k. */
 typedef struct ssgi_view {
     float unproject[4]; /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
     float project[4];   /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
     float depth[2];     /* 1 / view depth = [0] + [1] * window depth;      orthographic: view depth = ... */
-    float clear;        /* the window depth of the background: 1, or 0 when the projection is reversed */
+    float clear;        /* the window depth of the background: 1, or 0 if the projection is reversed */
     int orthographic;   /* 0 or 1 */
     int width, height;  /* pixels of the frame */
-    float oblique[2];   /* depth[] decodes window depth + dot(pixel, oblique): 0 but for oblique near planes */
+    float oblique[2];   /* depth[] decodes window depth + dot(pixel, oblique); 0 unless the near plane is oblique */
 } ssgi_view;
 
 /* Decodes the projection matrix that GL got. It may be perspective or orthographic, with any window depth (normal,
    reversed, infinite far plane), off-centre (sub-pixel jitter, stereo), with y up or down, with an oblique near plane
    (planar reflections: desc.input.oblique of ssgi_gl.h), right-handed or left-handed.
    If it is left-handed, your camera looks along +z, and view space here is yours with z negated. (An orthographic
-   projection is taken for left-handed where a right-handed camera would have all of its depth range behind the eye.
-   Where the range of a left-handed one reaches behind the eye, negate elements 8 to 11 yourself: nothing in the matrix
-   tells it from a right-handed one of reversed depth.)
-   Negate z of the vectors that you give in view space (lights; for normals there is desc.input.left_handed) and the
-   third row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation included. Vectors that come back have
-   z negated likewise.
+   projection counts as left-handed if a right-handed camera would have its whole depth range behind the eye. If the
+   depth range of your left-handed orthographic camera reaches behind the eye, negate elements 8 to 11 yourself: its
+   matrix is also that of a right-handed camera with reversed depth.)
+   With a left-handed camera, negate z of the vectors that you pass in view space (lights; for normals there is
+   desc.input.left_handed) and the third row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation
+   included. Vectors that the library returns have z negated, too.
      projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO, either one + SSGI_CLIP_ROWS_DOWN
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
@@ -138,9 +139,10 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
                                                int height, const char **why);
 
 /* Returns the view depth [units: view] of a window depth. It is negative behind an orthographic camera's eye, where the
-   near plane may lie. Background (the clear value, NaN, beyond [0,1], a view depth of SSGI_FAR or more, or when
-   perspective of 1 / SSGI_FAR or less) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use
-   ssgi_view_depth_at, whose pixel is a position, with texel centres at .5. GLSL twin: ssgi_window_depth. */
+   near plane may lie. The background gives SSGI_FAR: the clear value, NaN, a value outside [0,1], a view depth of
+   SSGI_FAR or more, and with perspective a view depth of 1 / SSGI_FAR or less. If view->oblique is not 0, depth depends
+   on the pixel, too: use ssgi_view_depth_at, which takes a pixel position, with texel centres at .5. GLSL twin:
+   ssgi_window_depth. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
 #define SSGI_FAR 1e18f /* the view depth of the background: it is beyond any scene, and its square is a finite float */
@@ -160,25 +162,25 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
 /* Makes an extra camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
-   radius * displacement and looks at centre. From far away all of these cameras would see the same: where the main
-   camera is orthographic, give a matrix whose eye is some 3 radii from the centre.
+   radius * displacement and looks at centre. From far away all extra cameras would see the same. If the main camera is
+   orthographic, pass a matrix whose eye is about 3 radii from the centre.
      main_world_to_view  [limit: rigid: rotation and translation; z may be negated]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
      displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
-     world_to_view       its up direction is the main camera's, or, where it looks along that, the main camera's forward
-                         direction. If it stands at the centre, it looks as the main camera does. It is mirrored if the
-                         main camera is (left-handed)
-     projection          GL clip, square, symmetric; encloses the sphere, or is 100 degrees wide where that would take
-                         more. The near plane is at 0.02 radii, so close because a solid that it cuts looks empty; the
+     world_to_view       the extra camera's up direction is the main camera's. If it looks along that direction, its up
+                         is the main camera's forward direction. At the centre it looks in the main camera's direction.
+                         It is mirrored if the main camera is (left-handed)
+     projection          GL clip space, square, symmetric. It encloses the sphere, but is at most 100 degrees wide. The
+                         near plane is at 0.02 radii: it is so close because a solid that it cuts would look hollow. The
                          far plane is behind the sphere
-   The outputs may be the inputs. */
+   The output arrays may be the input arrays. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
 /* Writes default displacement i modulo 4: left, right, above, behind. If the main camera is two radii from the centre,
-   the extra cameras are as far from the centre. They are turned about it by 60 degrees to the left or right and 20 up
-   (0, 1), by 75 up (2), and to the far side and 50 up (3). */
+   the extra cameras are, too. They are turned about it by 60 degrees to the left or right and 20 up (0, 1), by 75 up
+   (2), and to the far side and 50 up (3). */
 SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
 
 /* ==== >>bias =================================================================================================== */
@@ -192,13 +194,13 @@ SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
 
 /* The formulas take NaN and floats below 0 as 0, and floats above SSGI_FAR as SSGI_FAR. Their results are finite. */
 
-/* Returns the distance by which a receiver is lifted along its normal, so that nearest fetches of its own plane stay
-   below it: z/(f res) [HSAO08 eq. 13]; for instance 0.00802 at z = 10 for 60 degrees, f = 1/tan(30 degrees), over 720
-   pixels. It is half of ssgi_pixel_footprint, since NDC spans 2; where the two sides of a pixel are unequal, the larger
-   one counts. With an orthographic projection it is the same at any depth.
+/* Returns the distance by which a receiver is lifted along its normal, so that depths of its own plane, fetched from
+   the nearest texel, stay below it: z/(f res) [HSAO08 eq. 13]; for instance 0.00802 at z = 10 for 60 degrees, f =
+   1/tan(30 degrees), over 720 pixels. It is half of ssgi_pixel_footprint, since NDC spans 2; if the two sides of a
+   pixel are unequal, the larger one counts. With an orthographic projection it is the same at any depth.
      view_depth   [units: view] positive: GL's negative z and NaN count as 0, and the receiver would not be lifted
-   The result is in 0..SSGI_FAR. GLSL twin: ssgi_lift, which lifts by frame.offset such distances, 1.5 by default, since
-   the corners of a pixel need sqrt(2). */
+   The result is in 0..SSGI_FAR. GLSL twin: ssgi_lift, which lifts by frame.offset times this distance: 1.5 times by
+   default, since the corners of a pixel need sqrt(2). */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
 /* Returns the width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2)/resolution [SSDO09
@@ -209,7 +211,7 @@ SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
    ssgi_gl_light.patch holds this width for depth 1. */
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
 
-/* The length of the shadow map's texel of which a bias takes half. */
+/* The length across a texel of the shadow map; half of it, times tan(alpha), is the bias. */
 enum {
     SSGI_BIAS_SAFE = 0,  /* the diagonal: patch/sqrt(2) tan(alpha), which slopes in any direction need */
     SSGI_BIAS_PUBLISHED, /* the side: patch/2 tan(alpha) [SSDO09 section 5], which suffices for slopes along a side
@@ -221,22 +223,22 @@ enum {
      patch    [units: view] width of the texel on a surface that faces the light: ssgi_shadow_patch
      cosine   [limit: 0..1, clamped] of alpha, between the surface's normal and the direction to the light
      most     [units: view] at least 0: a larger bias is cut to it. It is also the bias at 90 degrees, where tan(alpha)
-              is infinite, and where cosine is NaN
+              is infinite, and if cosine is NaN
      kind     SSGI_BIAS_SAFE ..; any other value counts as SAFE
-   GLSL twin: ssgi_shadow, with most = patch/sqrt(2) frame.max_slope, where the light is on the map's axis: there the
-   plane's slope against the map is tan(alpha). Elsewhere ssgi_shadow takes the slope itself. */
+   GLSL twin: ssgi_shadow, with most = patch/sqrt(2) frame.max_slope, for points on the map's axis: there the plane's
+   slope against the map is tan(alpha). For other points ssgi_shadow computes that slope. */
 SSGI_DEF float ssgi_shadow_bias(float patch, float cosine, float most, int kind);
 
 /* Guesses a radius to begin with: "for a closed polygonal model .. the average distance between two local maxima in the
-   geometry" [SSDO09 section 7.2]. A vertex is a maximum if no edge leads up from it and one leads down; a level part
-   counts once, at its vertex of least x (then y, z). *radius is the mean distance from a maximum to the nearest other,
-   over 1024 maxima at most, evenly chosen. With fewer than two maxima (a sphere, a plane) it is a tenth of the diagonal
-   of the bounds.
+   geometry" [SSDO09 section 7.2]. A vertex is a maximum if no edge leads up from it and one leads down; a level part of
+   the mesh counts once, at its vertex of least x (then y, z). *radius is the mean distance from a maximum to the
+   nearest other, over 1024 maxima at most, evenly chosen. With fewer than two maxima (a sphere, a plane) it is a tenth
+   of the diagonal of the bounds.
      radius          [units: the mesh's] above 0
      maxima          how many were found; may be NULL
      position, stride_bytes, index, triangles   as in ssgi_trace_build [limit: 1..2^28 triangles]. Vertices at one place
-                     are one. Triangles with a coordinate that is not finite or beyond +-1e12 are left out; if no others
-                     remain, or all lie in one point, position is SSGI_BAD_ARGUMENT
+                     are one. Triangles with a coordinate that is not finite or beyond +-1e12 are left out; if no other
+                     triangle remains, or all lie in one point, the result is SSGI_BAD_ARGUMENT for position
      up              heights are along it [limit: finite, not 0]; NULL: they are distances from the middle of the bounds
      work            [limit: words >= 9 * triangles, else SSGI_TOO_SMALL] not needed later
    Heights that differ by less than 1e-6 of the diagonal are equal. O(n log n). */
@@ -253,9 +255,9 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
       for (int i = 0; i < 16; ++i) up += set[4 * i + 2] / 16.0f;       // directions about +z; [4 * i + 3] is a length
       printf("mean height %g, first turn %g\n", up, tile[3]);           // 2/3, since the cosine is in the density   */
 
-/* Returns the radical inverse of i (van der Corput), whose digits in a base are reflected about the radix point. It is
-   in [0,1), and 0 for a base below 2. Halton points have the inverses in bases 2, 3 .. as coordinates; Hammersley
-   points have i/n and the inverse in base 2. */
+/* Returns the radical inverse of i (van der Corput): i's digits in the base, reflected about the radix point. It is in
+   [0,1), and 0 for a base below 2. Halton points have the inverses in bases 2, 3 .. as coordinates; Hammersley points
+   have i/n and the inverse in base 2. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
 /* Writes the i-th point of the R2 sequence in [0,1)^2, which steps by powers of the plastic number. The points are
@@ -272,8 +274,8 @@ SSGI_DEF void ssgi_r2(float out[2], uint32_t i);
    [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/docs/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
-/* How directions are spread. Heights, for COSINE their squares, are the middles of equal strata of each set, so that
-   sums of them over a set are exact. */
+/* How directions are spread. The heights of a set's directions (for COSINE the squares of the heights) are the middles
+   of equal strata, so that their sum over a set is exact. */
 enum {
     SSGI_DIRECTIONS_COSINE = 0, /* the hemisphere about +z, density cos/pi, as in ssgi_kernel. Each counts 1/n */
     SSGI_DIRECTIONS_UNIFORM,    /* the hemisphere, evenly, as published [SSDO09 section 3, S3HO12 2.1]: each sample
@@ -290,15 +292,16 @@ SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples
    desc.gather.noise NOISE_TEXTURE, passes of ssgi_gl.h read z and w of it, as RGBA32F or, up to 1024 sets, as RGBA16F;
    x and y are for shaders that turn their own directions, as the paper's does.
      size         [limit: 1..64] texels of a side
-     sets         [limit: 1.., a divisor of size * size] each set is at equally many texels, with
-                  turn = (set + 0.5)/sets, by which desc.gather.kernel_texture chooses a row and other passes turn their
-                  directions. With size * size sets there are as many turns as texels. Every window of w x h texels, w h
-                  = sets, w and h as equal as size allows, has every set once: a filter of that width sums over all
-                  sets. Size 4 with 16 sets gives the 4 x 4 sets of [SSDO09, S3HO12]. Neighbours have unlike turns;
-                  copies of a set lie as far apart as such windows let them
+     sets         [limit: 1.., a divisor of size * size] each set has equally many texels, with turn = (set + 0.5)/sets.
+                  With desc.gather.kernel_texture the turn chooses a row of the texture; other passes turn their
+                  directions by it. With size * size sets there are as many turns as texels. Every window of w x h
+                  texels, w h = sets, w and h as equal as size allows, has every set once: a filter of that width sums
+                  over all sets. Size 4 with 16 sets gives the 4 x 4 sets of [SSDO09, S3HO12]. Neighbours have unlike
+                  turns; copies of a set lie as far apart as such windows let them
      directions   [limit: 1..1024] N_d of [HSAO08 4.1.2]: a = 2 pi turn/directions, in [0, 2 pi/directions)
-   b, in [-0.5, 0.5], moves the samples. Its values are the middles of size * size strata, once each, decorrelated from
-   the turn. (The paper's range (-1,1) spans two steps, to no use.) The same input gives the same tile. */
+   b, in [-0.5, 0.5], moves the samples, in units of their spacing. Its values are the middles of size * size strata,
+   once each, decorrelated from the turn. (The paper's range (-1,1) is twice the spacing, which gains nothing.) The same
+   input gives the same tile. */
 SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directions, const char **why);
 
 /* ==== >>sh ===================================================================================================== */
@@ -313,7 +316,7 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
          for (int i = l * l; i < (l + 1) * (l + 1); ++i) irradiance += ssgi_sh_cosine(l) * basis[i] * light[3 * i];
       printf("irradiance %g\n", irradiance);                           // pi; 3.1408, since texels have a size   */
 
-/* Real spherical harmonics are orthonormal, with function m = -l..l of band l at l*l + l + m. They have no
+/* Real, orthonormal spherical harmonics: function m = -l..l of band l has the index l*l + l + m. They have no
    Condon-Shortley sign: band 1 is +y, +z, +x times 0.4886. GLSL twins of basis, zonal and rotate: ssgi_gl_sh in
    ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
@@ -322,7 +325,7 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
    [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
-/* Returns the factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 where l is not
+/* Returns the factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 if l is not in
    0..5. */
 SSGI_DEF float ssgi_sh_cosine(int l);
 
@@ -337,10 +340,10 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
                                           const char **why);
 
 /* Windows are factors of the bands that reduce the ringing of a narrow light. Beside each are three numbers for a sun
-   in 4 bands that gives a facing surface irradiance 1: the peak of the series; its least irradiance; how far occlusion
-   takes it below 0. */
+   in 4 bands that gives a facing surface irradiance 1: the radiance at the peak of the series; the least irradiance
+   over all normals; how far below 0 occlusion can take the irradiance. */
 enum {
-    SSGI_SH_WINDOW_NONE = 0, /* 1.20, -0.037, 0.20    1: sharpest, rings most */
+    SSGI_SH_WINDOW_NONE = 0, /* 1.20, -0.037, 0.20    the factors are 1: sharpest, rings most */
     SSGI_SH_WINDOW_HANN,     /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
     SSGI_SH_WINDOW_POSITIVE, /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
 };
@@ -357,7 +360,7 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
 
 /* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
      coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
-     bands, channels    [limit: bands as ssgi_sh_basis; channels any, below 1 nothing]; 4 bands take about 20 us */
+     bands, channels    [limit: bands as ssgi_sh_basis; channels below 1: it does nothing]; 4 bands take about 20 us */
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
 
@@ -396,8 +399,9 @@ SSGI_DEF void ssgi_octahedral_decode(float out[3], const float e[2]);
      size           [limit: 8..256]
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
      solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above 0: the average
-                    over a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width 1 / integral p^2 is nearly
-                    solid_angle (exactly: tanh(kappa) times solid_angle). Values between 0 and 0.05 count as 0.05.
+                    over a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width (1 / the integral of its
+                    squared density) is nearly solid_angle (exactly: tanh(kappa) times solid_angle). Values between 0
+                    and 0.05 count as 0.05.
    A constant environment is kept exactly. The image is first averaged to 96 x 48 cells, which widens a lobe by up to
    0.005 sr. (For a sky of 1 to 4 with a disc of 200, 6 degrees in radius, the result is within 0.6 % of the exact
    average.) An image of 2048 x 1024 at size 64 takes 0.25 s at most at -O2 on one core, and the time grows with size^2.
@@ -409,8 +413,8 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
    cosine to the cone's axis. A bent cone's light [SSBN11] is then one look-up in a texture array, whose slice k of n
    holds the cones of cosine k/n.
      cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi
-   The rim is a ramp as wide as a cell, 3.75 degrees, to either side; below cosine 0.07 it is narrower, so that it ends
-   before 90 degrees. */
+   At the rim the weight is a ramp that reaches one cell of the averaged image, 3.75 degrees, to either side. Below
+   cosine 0.07 the ramp is narrower, so that it ends before 90 degrees. */
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
                                            const char **why);
 
@@ -420,8 +424,8 @@ typedef struct ssgi_sun {
 } ssgi_sun;
 
 /* Replaces an environment by directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance
-   is halved, along its wider side, until there are count. A sun lies at its region's centre of luminance and carries
-   all of its light: irradiances sum to the integral of radiance over the sphere.
+   is halved, along its wider side, until there are `count` regions. A sun lies at its region's centre of luminance and
+   carries all of its light: irradiances sum to the integral of radiance over the sphere.
      count          [limit: 1..1024] any, not only powers of two; suns beyond the number of texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the image about log2(count) times. Takes 30 KB of stack. */
@@ -444,9 +448,10 @@ typedef struct ssgi_vpl {
     float intensity[3]; /* radiant intensity along the normal; at an angle from the normal, times the angle's cosine */
 } ssgi_vpl;
 
-/* Makes virtual point lights [KEL97] of a reflective shadow map. Their pixels are chosen in proportion to the luminance
-   of the flux, stratified along the map. Each light keeps its pixel's colour and sends an equal share of luminance: the
-   luminances of the lights' fluxes, pi * intensity, sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
+/* Makes virtual point lights [KEL97] of a reflective shadow map. Pixels of the map are chosen in proportion to the
+   luminance of their flux, stratified along the map. Each light keeps its pixel's colour and sends an equal share of
+   luminance: the luminances of the lights' fluxes, pi * intensity, sum to the map's. A map without flux gives
+   SSGI_BAD_ARGUMENT.
      count                    [limit: 1..4096] lights, exactly; a pixel may be chosen more than once
      position, normal, flux   x y z or r g b of pixel k at [3*k]. flux is the power that the pixel's surface reflects;
                               values that are negative or not finite count as 0
@@ -456,8 +461,8 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
 
 /* Replaces an area light by virtual point lights [SSDO09 section 5] at places spread evenly over it. Their intensities
    sum to radiance times area.
-     count           [limit: 1..4096] point lights; nearer to the area light than sqrt(area/count) single ones show:
-                     clamp there (ssgi_gl_light.min_distance)
+     count           [limit: 1..4096] point lights; nearer to the area light than sqrt(area/count) single lights become
+                     visible: clamp the distance there (ssgi_gl_light.min_distance)
      corner          of a parallelogram with sides a and b, or of a triangle, which is half of that
      a, b            it shines to the side of a x b [limit: area 1e-30..1e13, finite, all within 1e30 of the origin]
      triangle        0 or 1
@@ -503,14 +508,14 @@ SSGI_DEF size_t ssgi_trace_size(size_t triangles);
    memory        size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
                  the memory: keep it where it is. position and index are not needed afterwards.
    Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller
-   than about 1e-18 may be missed. Indices are not checked. Building takes O(n log n) time but for contrived input. It
-   allocates nothing and recurses at most 62 deep, whatever the input. */
+   than about 1e-18 may be missed. Indices are not checked. Building takes O(n log n) time, except for contrived input.
+   It allocates nothing and recurses at most 62 deep, whatever the input. */
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
 
 /* Finds the hit with the smallest t in tmin < t < tmax. Returns 1 with *hit filled, or 0 with *hit untouched. The
-   direction may have any length, which is the unit of t. tmin and tmax count as 0 where they are below 0 or NaN; tmax
-   may be infinite. A ray that is not finite, beyond 1e12, or without direction hits nothing. */
+   direction may have any length, which is the unit of t. tmin and tmax count as 0 if they are below 0 or NaN; tmax may
+   be infinite. A ray that is not finite, beyond 1e12, or without direction hits nothing. */
 SSGI_DEF int ssgi_trace_closest(ssgi_hit *hit, const ssgi_trace *trace, const float origin[3], const float direction[3],
                                 float tmin, float tmax);
 
@@ -520,18 +525,18 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* Traces the ambient visibility of points by cosine-weighted rays: for instance the self-occlusion of a rigid object,
    as an attribute of its vertices [AOF05 section 1].
-     out                count of them, in [0,1]
+     out                `count` values, in [0,1]
      position, normal   x y z of point k at [3*k]; normals of any length
-     radius             [units: the mesh's] [limit: above 0; 0: without end, hard only] hits beyond the radius do not
+     radius             [units: the mesh's] [limit: above 0; with hard also 0: unlimited] hits beyond the radius do not
                         count
      rays               [limit: 1..65536] a point
      hard               [limit: 0 or 1] 0: a hit at the distance t occludes by 1 - t/radius; 1: fully
    Rays begin off the surface, lifted along the normal by 4e-6 of the largest coordinate in the trace. Lift positions
-   yourself where vertex normals differ much from the normals of the faces, since neighbouring faces then occlude. A
-   point without a normal, or one that is not finite, counts as visible. The value depends on the trace, the point and
-   the normal alone, so that copies of a vertex agree, and each thread may take a part of the points. Sampling by 256
-   and by 1024 rays has RMS errors of 0.0006 and 0.00015 beside a wall, and with hard of 0.005 and 0.002; in a groove,
-   with hard, of 0.007 and 0.003. */
+   yourself if vertex normals differ much from the normals of the faces, since neighbouring faces then occlude. A point
+   without a normal, or one that is not finite, counts as visible. The value depends on the trace, the point and the
+   normal alone, so that copies of a vertex agree, and each thread may take a part of the points. RMS errors with 256
+   and with 1024 rays: beside a wall 0.0006 and 0.00015, with hard 0.005 and 0.002; in a groove with hard 0.007 and
+   0.003. */
 SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, const float *position,
                                            const float *normal, size_t count, float radius, int rays, int hard,
                                            const char **why);
@@ -546,52 +551,52 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
       if (ssgi_tess_points(uvw, level, &why) != SSGI_OK) puts(why);
       printf("level %d: %d discs of radius %g\n", level, points, ssgi_tess_radius(area, points));   */
 
-/* Returns the number of points that tessellation hardware makes of a triangle whose levels are all `level`, with equal
-   spacing, in point mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd one:
-   3, 7, 12, 19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
+/* Returns the number of points that tessellation hardware generates in a triangle whose levels are all `level`, with
+   equal spacing, in point mode [DSS14 section 3.1]: (3/4) i^2 + (3/2) i + 1 at an even level i, 3 ceil(i/2)^2 at an odd
+   one: 3, 7, 12, 19 .. 3169. It is 0 for a level outside 1..64. GLSL twin: ssgi_tess_count. */
 SSGI_DEF int ssgi_tess_count(int level);
 
-/* Writes the points of a level as gl_TessCoord has them, but for the rounding of GPUs (2e-5). Their order is the
+/* Writes the points of a level as gl_TessCoord has them, except for the rounding of GPUs (2e-5). Their order is the
    library's own: in rings from the edges inwards, each ring from a corner around.
      uvw      barycentric coordinates, 3 a point; they sum to 1 [limit: 3 * ssgi_tess_count(level) floats]
      level    [limit: 1..64] */
 SSGI_DEF ssgi_result ssgi_tess_points(float *uvw, int level, const char **why);
 
-/* Returns the least level, 1..64, that has a point for each of the discs of a radius that together have the triangle's
-   area: ceil(sqrt((4 K - 1) / 3) - 1) with K = area / (pi radius^2) discs [DSS14 section 3.1]. It is 1 for 3 discs or
-   fewer, where the formula has no level, and 64 for more than 3169 discs, which need the triangle split
-   (ssgi_surfel_desc.splits). The formula is that of even levels. Odd levels have a quarter of a point fewer, so that
-   level 1 suffices for up to 3.25 discs, and 12.1 discs get 12 points.
+/* Returns the least level, 1..64, that has a point for each of K discs, where K = area / (pi radius^2) discs of this
+   radius together have the triangle's area: ceil(sqrt((4 K - 1) / 3) - 1) [DSS14 section 3.1]. It is 1 for 3 discs or
+   fewer, for which the formula has no level, and 64 for more than 3169 discs, which need the triangle split
+   (ssgi_surfel_desc.splits). The formula is that of even levels. An odd level has a quarter of a point less than the
+   formula says: level 1 is taken for up to 3.25 discs, and 12.1 discs get 12 points.
      area     [units: view^2] 0 or below: level 1
      radius   [units: view] 0 or below: level 64
-   It is 1 where either is not a finite float. GLSL twin: ssgi_tess_level, which takes the number of discs. */
+   It is 1 if either is not a finite float. GLSL twin: ssgi_tess_level, which takes the number of discs. */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
 
 /* Returns the radius at which `count` discs together have the triangle's area: sqrt(area / (pi count)) [DSS14 section
-   3.1]. It is 0 where area or count is not above 0 or not a finite float.
+   3.1]. It is 0 if area or count is not above 0 or not a finite float.
      count    ssgi_tess_count of the level, or this number times the share of the triangle's points that stay */
 SSGI_DEF double ssgi_tess_radius(double area, double count);
 
 /* ==== >>surfels ================================================================================================ */
 
-/* In deep screen space [DSS14] triangles become discs of about equal size on the screen, also where they are hidden, at
-   grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass dss
-   takes either. */
+/* In deep screen space [DSS14] triangles become discs of about equal size on the screen: also triangles that are
+   hidden, at grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU;
+   pass dss takes those of either. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte, as transform feedback captures them. */
 typedef struct ssgi_surfel {
     float position[3], radius; /* view space */
-    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers: on level l the lowest l bits of seed
+    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers: on level l the lowest l bits of seed *
                                   2^24 choose the column, and the l bits above the lowest 8 choose the row */
-    float colour[3], unused;   /* the source's colour until lit; then the radiance that leaves it for a bounce, the
-                                  irradiance that it receives for scattering; not read for occlusion */
+    float colour[3], unused;   /* the source's colour; after lighting the radiance that leaves it (for a bounce) or the
+                                  irradiance that it receives (for scattering). Occlusion does not read it */
 } ssgi_surfel;
 
 /* ssgi_surfel_desc.overhang: how a triangle shrinks before surfels are placed in it, so that discs of radius r keep off
    its edges. */
 typedef enum ssgi_overhang {
-    SSGI_OVERHANG_INCENTRE = 0, /* about the centre of the inscribed circle by 1 - r / the circle's radius, at least
-                                   1/4: discs end at the edges if they fit into the triangle */
+    SSGI_OVERHANG_INCENTRE = 0, /* scaled about the centre of the inscribed circle by 1 - r / the circle's radius, at
+                                   least 1/4: discs end at the edges if they fit into the triangle */
     SSGI_OVERHANG_CENTROID,     /* as published, corners move by r toward the centroid, which leaves half of the
                                    overhang; they move 0.9 of the way at most, or slivers would turn over [DSS14 3.1] */
     SSGI_OVERHANG_FORCE = SSGI_FORCE
@@ -601,17 +606,17 @@ typedef enum ssgi_overhang {
 typedef struct ssgi_surfel_desc {
     /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.03] diameter of a surfel that faces the viewer: s */
     float size;
-    /* [limit: 0..32] [default: 8] into how many parts an edge may be split where the tessellator's last level, 64, is
+    /* [limit: 0..32] [default: 8] the most parts into which an edge is split if the tessellator's last level, 64, is
        too coarse for the triangle */
     int splits;
     /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the frustum, since no
-       visible pixel is close there; 1e-6: none, as published */
+       visible pixel is close there; 1e-6 adds practically nothing, as published */
     float offscreen_growth;
     /* [limit: 0..1] 0: a triangle smaller than its three surfels keeps each with probability area / (3 pi r^2), at an
        unchanged radius, so that cost does not grow with mesh detail. 1: it keeps all, as published */
     int keep_small;
-    /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum: the radius of occlusion,
-       for instance */
+    /* [units: view] [limit: >= 0] [default: unlimited] triangles farther outside the frustum than this give no surfels;
+       for instance the radius of occlusion */
     float max_distance;
     ssgi_overhang overhang;
 } ssgi_surfel_desc;
@@ -629,9 +634,9 @@ typedef struct ssgi_surfel_source {
 
 /* Returns the radius of a surfel at a view depth [DSS14 section 3.1]: size tan(alpha/2) (|depth - near| + near), where
    alpha is the vertical angle of view. It is half of `size` image heights on the screen; behind the near plane surfels
-   grow again. With an orthographic projection it is half of `size` image heights everywhere. It is 0 where size is not
+   grow again. With an orthographic projection it is half of `size` image heights everywhere. It is 0 if size is not
    above 0, and for arguments that are not finite floats.
-     size     [units: image heights] s: ssgi_surfel_desc.size, whose default 0.03 is not put in
+     size     [units: image heights] s: ssgi_surfel_desc.size; here 0 does not stand for its default, 0.03
      depth    [units: view] of the triangle's centroid; below 0 behind the eye
    GLSL twin: ssgi_surfel_radius. */
 SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
@@ -639,22 +644,22 @@ SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double de
 /* Returns the form factor of a disc, to be multiplied by the cosines at both ends: r^2 / (d^2 + r^2) [DSS14 section 4;
    Wallace, Elmquist, Haines 1989]. It is exact on the disc's axis, and too low beside the axis when near: on a parallel
    receiver it is 0.93 .50 .07 of the exact form factor at 15, 45 and 75 degrees from one radius away, .97 .73 .49 from
-   two, .99 .91 .84 from four. It is 0 where radius is not above 0, and for arguments that are not finite floats.
+   two, .99 .91 .84 from four. It is 0 if radius is not above 0, and for arguments that are not finite floats.
      radius, distance   [units: view] the distance is that to the disc's centre */
 SSGI_DEF double ssgi_surfel_form_factor(double radius, double distance);
 
 /* Returns the distance at which the contribution of a surfel has fallen to epsilon: radius sqrt(brightest / epsilon -
-   1), linear in the radius. It is the paper's getMaxDist [DSS14 sections 3.2, 4]. It is 0 where radius or brightest is
-   not above 0, where brightest is epsilon or less, and for arguments that are not finite floats; else it is SSGI_FAR
-   where epsilon is 0 or below.
+   1), linear in the radius. It is the paper's getMaxDist [DSS14 sections 3.2, 4]. It is 0 if radius or brightest is not
+   above 0, if brightest is epsilon or less, and for arguments that are not finite floats; else it is SSGI_FAR if
+   epsilon is 0 or below.
      brightest   the largest component of the radiance that the surfel sends; 1 for occlusion
      epsilon     the contribution at which level 0 of the surfel ends: ssgi_gl_frame.epsilon */
 SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
 
-/* Writes the distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]: level 0 those up to
-   reach, level l > 0 those from reach 2^(l-1) to reach 2^l. Each distance up to the last level's end is in one shell (d
-   = 0 in that of level 0). Both ends are `most` where the level lies beyond `most`, and 0 where a length is not above 0
-   or not a finite float.
+/* Writes the range of distances d that a level is drawn for, shell[0] < d <= shell[1] [DSS14 section 3.2]. Level 0 is
+   for distances up to reach, level l > 0 for those from reach * 2^(l-1) to reach * 2^l. Each distance up to the last
+   level's end is in one shell (d = 0 in that of level 0). Both ends are `most` if the level lies beyond `most`, and 0
+   if a length is not above 0 or not a finite float.
      reach    [units: view] ssgi_surfel_reach
      level    below 0 as 0, above 64 as 64
      most     [units: view] ssgi_splat.max_distance; SSGI_FAR: unlimited */
@@ -668,61 +673,62 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
 /* Subdivides triangles that need more than desc->splits parts an edge, such as a ground that reaches the horizon, into
    four, recursively, at most ten times. Drops triangles farther outside the frustum than desc->max_distance, without
    area, or with corners that are not finite or beyond SSGI_FAR. The others stay unchanged, in their order.
-     out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0, colour 1 1 1
-              where the source's are NULL; 0 for what is not finite of them). They are usable as a source of
+     out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0 or colour 1 1 1
+              if the source has none; a component that is not finite becomes 0). They are usable as a source of
               ssgi_surfels and as patches
      count    how many triangles result; at most `capacity` of them are written */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* Makes surfels of triangles; their areas sum to the triangle's, on average where small ones are thinned (keep_small
+/* Makes surfels of triangles; their areas sum to the triangle's (on average, if small triangles are thinned: keep_small
    0). Writes at most `capacity` surfels, and to *count their number (to query it, give out NULL and capacity 0).
    Triangles without area, with corners that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give
-   none; normals, and parts of a colour, that are not finite count as 0. A surfel's seed depends only on the vertex
-   indices of its triangle and on its place in the triangle. */
+   no surfels; normals, and components of a colour, that are not finite count as 0. A surfel's seed depends only on the
+   vertex indices of its triangle and on its place in the triangle. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* How surfels are splatted: ssgi_gl_frame has epsilon, radius and near_depth. */
+/* How surfels are splatted. The shaders take epsilon, max_distance (as radius) and near_depth from ssgi_gl_frame. */
 typedef struct ssgi_splat {
     float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.3] form factor at the end of level 0 */
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
-    float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
+    float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent / ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
     int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 4] every level doubles the reach, at about equal cost */
-    int part; /* [limit: 0, 1, 2 or 4] [default: 1] one in so many pixels is drawn, each way: desc.gather.resolution */
-    int two_sided; /* 1: surfels affect what is behind them, too: desc.light.two_sided, effects SCATTER and CUSTOM */
+    int part;   /* [limit: 0, 1, 2 or 4] [default: 1] of each axis 1 pixel in `part` is drawn: desc.gather.resolution */
+    int two_sided; /* 1: surfels affect pixels behind them, too: desc.light.two_sided, effects SCATTER and CUSTOM */
 } ssgi_splat;
 
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Writes the texels along x and y of one level in the interleaved layout: the size of what is interleaved, the frame or
-   what desc.gather.resolution leaves of it, rounded up to multiples of 2^(levels - 1). The levels lie below each other
-   in one texture of size[0] x (levels * size[1]) texels.
-     width, height   [limit: 1..65536]
+/* Writes the size [units: texels] of one level in the interleaved layout: the size of the interleaved picture, rounded
+   up to multiples of 2^(levels - 1). The levels lie below each other in one texture of size[0] x (levels * size[1])
+   texels.
+     width, height   [limit: 1..65536] of that picture: the frame, or fewer pixels with desc.gather.resolution
      levels          [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
 /* Returns the least number of levels, 1..SSGI_SPLAT_LEVELS, whose last one ends at the occlusion radius or beyond. It
-   is SSGI_SPLAT_LEVELS where none does, and for arguments that are not finite floats. Fewer lose far occluders; more
-   find none and cost as much as those before.
+   is SSGI_SPLAT_LEVELS if none does, and for arguments that are not finite floats. Fewer levels lose far occluders;
+   each further level costs as much as those before and finds no occluder.
      size       [units: image heights] [limit: > 0] ssgi_surfel_desc.size
      epsilon    [limit: > 0] ssgi_splat.epsilon
-     radius     [units: image heights] the radius as it is seen (ssgi_plan_scene.screen_radius); half of it suffices
-                where occlusion fades toward it: the level that is saved changes the error by less than .003 of that of
-                no occlusion, the mean of 21 scenes by seed, at one, two and four of their radii, and by .047 on one */
+     radius     [units: image heights] the radius as it is seen (ssgi_plan_scene.screen_radius); half of it suffices if
+                occlusion fades toward the radius: the level that is saved changes the relative error by less than 0.003
+                in the mean of 21 scenes by seed, with one, two and four times their radius, and by 0.047 on the worst
+                scene */
 SSGI_DEF int ssgi_splat_levels(double size, double epsilon, double radius);
 
-/* The cost of a frame before anything is drawn. */
+/* The predicted cost of the surfels of a frame. */
 typedef struct ssgi_surfel_cost {
     size_t surfels;                   /* number of surfels */
-    int splits;                       /* most parts of an edge that a triangle needs, also beyond desc->splits */
+    int splits;                       /* most parts of an edge that a triangle needs; may exceed desc->splits */
     double pixels[SSGI_SPLAT_LEVELS]; /* texels that the splats of each level cover, each overlap counted */
 } ssgi_surfel_cost;
 
 /* Predicts the cost. Surfels are counted exactly; pixels are those of one surfel at the centre of each part of a
-   triangle, times the number of surfels of the part (within 1.4 % of the pixels of all surfels where tested). desc,
-   view and source are as for ssgi_surfels; zeros in splat are the defaults. */
+   triangle, times the number of surfels of the part (in tests within 1.4 % of the sum over all surfels). desc, view and
+   source are as for ssgi_surfels; zeros in splat are the defaults. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -758,7 +764,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
       printf("it takes %g of the light\n", share);   */
 
 /* Returns the occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that the cap takes,
-   in closed form [AOF05 eq. 3, whose formula the paper leaves out].
+   in closed form [AOF05 eq. 3; the paper does not give the formula].
      solid_angle  [units: sr] [limit: 0..4 pi, clamped]
      cosine       of the angle between the cap's axis and the surface's normal [limit: -1..1, clamped]
    Arguments that are not finite count as 0. The result is in [0,1] and monotone in both arguments. Its absolute error
@@ -775,15 +781,14 @@ SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
 
 /* Writes the irradiance from the part of an environment within a cap [AOF05 section 6]: pi times the cap's occlusion,
-   times the environment's radiance there, averaged by the cosine over 256 directions of the cap. With the cap of
+   times the cosine-weighted mean of the environment's radiance over 256 directions of the cap. With the cap of
    ssgi_field_cap it is the irradiance that an occluder takes away: subtract fill times it from unoccluded irradiance.
    With the rest of the sphere (4 pi - solid_angle, -axis), the inverse cap, it is the irradiance that remains.
      coefficients   [3*i + c] of radiance: ssgi_sh_project_equirect
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      solid_angle    [units: sr] [limit: finite; clamped to 0..4 pi]
      axis, normal   [limit: finite, not 0] in the coefficients' space, of any length
-   It is exact where the light is constant, else within 0.5 % of the unoccluded irradiance, and for inverse caps within
-   1.5 %. */
+   It is exact if the light is constant, else within 0.5 %, for inverse caps within 1.5 %, of unoccluded irradiance. */
 SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int bands, float solid_angle,
                                     const float axis[3], const float normal[3], const char **why);
 
@@ -795,24 +800,24 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
       float gloss = ssgi_specular_visibility(0.4f, 0.9f, 0.7f, 0.1f);  // of a lobe near the open directions
       printf("%g of the diffuse light, %g of the specular\n", (double)lit, (double)gloss);   */
 
-/* Returns ambient visibility with the light that occluders reflect, bounce after bounce, where they have the surface's
-   albedo and as much light: a cubic of visibility, fitted to path-traced scenes [JWPJ16 section 5]. Multiply the
-   environment's diffuse light by it in place of visibility, each channel by its albedo.
+/* Returns ambient visibility plus the light that occluders reflect, over all bounces. Occluders are assumed to have the
+   surface's albedo and to receive as much light. It is a cubic of visibility, fitted to path-traced scenes [JWPJ16
+   section 5]. Multiply the environment's diffuse light by it instead of visibility, each channel with its own albedo.
      visibility, albedo   [limit: 0..1, clamped; values that are not finite count as 0]
    The result is in [visibility, 1]. GLSL twin: ssgi_interreflected of ssgi_gl_reflection, of three channels. */
 SSGI_DEF float ssgi_interreflected(float visibility, float albedo);
 
-/* Returns the share of a glossy lobe that nothing occludes. Occlusion is taken to first order: visibility is its mean,
-   the bent normal leans away from it, and a lobe sees of the second the less, the wider it is. Both terms are linear in
-   roughness, fitted to traced lobes of 14 scenes. On 14 others its error is 0.47, 0.37, 0.27 and 0.25 of dimming
-   nothing, at roughness 0.05, 0.15, 0.35 and 0.7, where that of visibility in its place is 0.66, 0.60, 0.50 and 0.40
-   (build/reflection); cones for lobe and open directions [JWPJ16 section 6] have 0.77, 0.67, 0.52 and 0.35 on the
-   scenes that it is fitted to.
+/* Returns the unoccluded share of a glossy lobe. Ambient visibility gives the mean over all directions, and the bent
+   normal, which leans away from occluders, gives the change with direction; wide lobes depend less on it. Both terms
+   are linear in roughness, fitted to traced lobes of 14 scenes. On 14 other scenes the RMSE relative to no specular
+   occlusion is 0.47, 0.37, 0.27 and 0.25 at roughness 0.05, 0.15, 0.35 and 0.7; with ambient visibility instead it is
+   0.66, 0.60, 0.50 and 0.40 (build/reflection). Cones for the lobe and the open directions [JWPJ16 section 6] have
+   0.77, 0.67, 0.52 and 0.35 on the scenes of the fit.
      visibility        [limit: 0..1, clamped] ambient visibility
      bent, normal      [limit: -1..1, clamped] cosines of the mirrored view direction to the bent normal and to the
                        normal. Without a bent normal 1 - 1.4 * (1 - visibility) does better than this function
      roughness         [limit: 0..1, clamped] GGX's alpha
-   Values that are not finite count as 0. The result is in [0,1], and 1 where visibility is 1 and nothing bends the
+   Values that are not finite count as 0. The result is in [0,1], and 1 if visibility is 1 and the bent normal is the
    normal. GLSL twin: ssgi_specular_visibility of ssgi_gl_reflection. */
 SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness);
 
@@ -828,7 +833,7 @@ SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float norm
       float triangle[9] = { 0, 0, 0,  1, 0, 0,  0, 1, 0 }, point[3] = { 0.3f, 0.3f, 1 }, normal[3] = { 0, 0, -1 };
       ssgi_field field;
       ssgi_field_desc d;
-      memset(&d, 0, sizeof d);                                         // every choice at its default, but for
+      memset(&d, 0, sizeof d);                                         // every choice at its default, except:
       d.resolution = 8;                                                // 8 x 8 texels a face
       size_t size = ssgi_field_bake_size(&d, 1);                       // of one triangle
       uint32_t *texels = (uint32_t *)malloc(ssgi_field_size(8));
@@ -841,8 +846,9 @@ SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float norm
 typedef struct ssgi_field_desc {
     int resolution; /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
     int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
-    int rays;       /* [limit: 0, 16..65536] [default: 96] traced from the hull; farther out the occluder takes less
-                       of the light, and as many fewer are traced as the hull is nearer, 16 at least */
+    int rays;       /* [limit: 0, 16..65536] [default: 96] rays traced from a point at the hull. Farther out the
+                       occluder takes less of the light: there rays * (distance of the hull / distance of the point) are
+                       traced, at least 16 */
     float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] where the field ends */
     int unfiltered; /* [limit: 0 or 1] 1: directions are sampled at the resolution itself, without the Gaussian, in a
                        quarter of the time: figure 5 of the paper shows the effect on thin parts */
@@ -853,12 +859,13 @@ typedef struct ssgi_field_desc {
        point[3 * i] in the mesh's space, out[4 * i] is the solid angle of the occluder [units: sr] and the next three
        floats are its mean direction, from the point to the occluder. The length of this direction tells how far the
        occluder fills its cap; a length of 1, or more than is possible, means that the cap is filled, as in the paper,
-       which has unit directions. Where a value is not finite, nothing counts as seen. The function is called once for
-       each direction, with all distances: desc.radii points from near the hull to the reach, ascending. The occlusion
-       inside the hull and the reported errors come from rays in any case. NULL: rays. */
+       which has unit directions. If a value is not finite, the point counts as seeing nothing of the occluder. The
+       function is called once for each direction, with all distances: desc.radii points from near the hull to the
+       reach, ascending. The occlusion inside the hull and the reported errors come from rays in any case. NULL:
+       rays. */
     void (*sample)(void *user, float *out, const float *point, int count);
-    /* Your threads: it calls job(context, i) for every i in [0, count) and returns when all are done. NULL: one by
-       one. */
+    /* Runs jobs on your threads: it calls job(context, i) for every i in [0, count) and returns when all are done.
+       NULL: the jobs run one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
     /* It is called now and then on the caller's thread, with done in [0,1]. If it returns other than 0 before done is
        1, the bake gives up with SSGI_CANCELLED. */
@@ -871,15 +878,15 @@ typedef struct ssgi_field_desc {
 typedef struct ssgi_field {
     /* The cube map, to be uploaded as RG32UI: (resolution + 2) x 6 (resolution + 2) texels, with the faces below each
        other in GL's order, each within a border of one texel from its neighbours. Two words a texel hold eight
-       components of 8 bits, lowest first: three logarithms to base 2, of the distance function; the hull's distance; x
-       y z of the characteristic centre, from `centre`; the covered share of the cap. */
+       components of 8 bits, lowest first: the base-2 logarithms of the distance function's three coefficients; the
+       hull's distance; x y z of the characteristic centre, from `centre`; the covered share of the cap. */
     const uint32_t *texels;
     int resolution; /* texels along a side of a face, without the border */
     int radii;      /* distances that were sampled along each direction */
 
     float centre[3], radius; /* [units: the mesh's] the bounding sphere; the centre lies in the convex hull */
     float reach;             /* [units: the mesh's] where the field ends, from the centre */
-    float inside;            /* A_0: mean occlusion of points in the hull, but for points that the mesh encloses */
+    float inside;            /* A_0: mean occlusion of points in the hull that the mesh does not enclose */
     float low[8], span[8];   /* 0 of a component stands for low, 255 for low + span */
 
     /* Errors of occlusion as stored, without the ramp, at receivers that the bake did not sample: directions between
@@ -892,7 +899,7 @@ typedef struct ssgi_field_limits {
     /* Distances from the centre between which occlusion falls to 0 [units: the mesh's]
        [limit: 0 <= ramp < reach <= field->reach] */
     float ramp, reach;
-    /* In the hull, at a share s of the way from the centre, occlusion is mix(inside, occlusion at the hull, s^power)
+    /* At a share s of the way from the centre to the hull, occlusion is mix(inside, occlusion at the hull, s^power)
        [limit: 0..1 and > 0] */
     float inside, power;
 } ssgi_field_limits;
@@ -905,15 +912,15 @@ SSGI_DEF size_t ssgi_field_size(int resolution);
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
 /* Bakes a field: samples directions at twice the resolution, by rays or from desc.sample, fits each texel, and reduces
-   by a Gaussian [AOF05 section 4.1].
+   the map to the field's resolution by a Gaussian [AOF05 section 4.1].
      texels     ssgi_field_size(desc's resolution) bytes, which belong to the field from then on
      work       work_size >= ssgi_field_bake_size(desc, triangles) bytes of any alignment
      position, stride_bytes, index, triangles   as in ssgi_trace_build, which names the triangles that are left out
    The same input gives the same bytes, with any number of threads and at any optimisation that keeps IEEE arithmetic
    (not -ffast-math; with FMA instructions -ffp-contract=off). The bake fails with SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL
    (work_size) or SSGI_CANCELLED; *field is then untouched, but texels and work may be written. Resolution 16 with 96
-   rays takes about 3.5 million. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below
-   it. */
+   rays from the hull traces about 3.5 million rays. To reach an error of your choice bake with resolution 4, 8, 16 ..
+   until field->p95 is below it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why);
@@ -921,26 +928,27 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 /* Returns limits to start from: a ramp over the last quarter of the reach, inside as measured, power 1. */
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 
-/* Returns the occlusion of a point by the occluder. It is in [0,1], 0 from the reach on, and 0 where a coordinate is
-   not finite. Multiply ambient light by 1 - occlusion, once for each occluder. GLSL twin: ssgi_field_occlusion.
+/* Returns the occlusion of a point by the occluder. It is in [0,1], 0 from the reach on, and 0 if a coordinate is not
+   finite. Multiply ambient light by 1 - occlusion, once for each occluder. GLSL twin: ssgi_field_occlusion.
      limits           NULL: ssgi_field_limits_of
      point, normal    in the occluder's coordinates; the normal unit */
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
 
 /* Writes the cap itself: its solid angle [units: sr], its unit axis, from the point to the occluder, and the share of
-   the cap that is covered. In the hull it is the cap at the hull; beyond the field's reach solid_angle and fill stay as
-   there. ssgi_cap_light gives the irradiance of an environment that the cap takes away. Returns the point's distance
-   from the centre over the hull's. No argument may be NULL; a coordinate that is not finite counts as the centre's. */
+   the cap that is covered. In the hull it is the cap at the hull; beyond the field's reach solid_angle and fill are
+   those at the reach. ssgi_cap_light gives the irradiance of an environment that the cap takes away. Returns the
+   point's distance from the centre over the hull's. No argument may be NULL; a coordinate that is not finite counts as
+   the centre's. */
 SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, const ssgi_field *field,
                               const float point[3]);
 
-/* Saves a field as the bytes of a file, the same on every machine. Returns their number, 0 for no field; writes them if
-   out is not NULL and capacity suffices. */
+/* Saves a field as the bytes of a file, the same on every machine. Returns the number of bytes, 0 if field is NULL or
+   without a valid resolution. Writes them if out is not NULL and capacity is at least that number. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
 
-/* Loads a field from such bytes. With texels NULL and size 0 all but the texels is filled: call it so first, to learn
-   the resolution.
+/* Loads a field from such bytes. With texels NULL and size 0 it fills everything except the texels: call it so first,
+   to learn the resolution.
      texels, size   [units: bytes] [limit: ssgi_field_size(field->resolution), else SSGI_TOO_SMALL]
      file           SSGI_BAD_ARGUMENT if it is cut short, too long, foreign, of another version, or corrupt */
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
@@ -949,15 +957,15 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 /* ==== >>plan =================================================================================================== */
 
 /* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
-   The predictions were fitted to ray-traced truth of 34 views at 1280x720 and tested on other scenes: README. A survey
-   improves predictions; a calibration improves them most.  */
+   The predictions were fitted to ray-traced ground truth of 34 views at 1280x720 and tested on other scenes: README. A
+   survey improves predictions; a calibration improves them most.  */
 
 /* >>plan in use (compiled and run by tests/test_build.c)
 
       ssgi_plan_scene s;
       memset(&s, 0, sizeof s);                                         // a number left 0 is not known
       s.wanted = SSGI_PLAN_WANTED_VISIBILITY;
-      s.thickness = SSGI_PLAN_THICKNESS_SLABS;                         // what you can draw
+      s.thickness = SSGI_PLAN_THICKNESS_SLABS;                         // the best that you can draw
       s.error = 0.03f;
       s.screen_radius = 0.2f;
       ssgi_survey_of(&s.survey, hsao, best, solid, slabs, 3000, NULL);  // pictures of hsao, here 3000 pixels of them
@@ -967,15 +975,15 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
       ssgi_gl_plan(&desc, &plan, NULL);                                // of ssgi_gl.h: sets a desc   */
 
 enum {
-    SSGI_PLAN_WANTED_VISIBILITY = 0, /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
-    SSGI_PLAN_WANTED_LIGHT,          /* irradiance from an environment and lights in its harmonics. Errors: RMSE over
-                                        its mean */
+    SSGI_PLAN_WANTED_VISIBILITY = 0, /* ambient visibility within a radius, linear attenuation. Errors: its RMSE */
+    SSGI_PLAN_WANTED_LIGHT,          /* irradiance from harmonics, which hold an environment and lights. Errors: RMSE
+                                        over its mean */
     SSGI_PLAN_WANTED_BOUNCE,         /* that irradiance and one diffuse bounce within the radius. Errors: RMSE of their
                                         sum over its mean */
-    SSGI_PLAN_WANTED_OBJECTS,        /* ambient visibility between rigid objects, at any distance. Errors: RMSE of it */
+    SSGI_PLAN_WANTED_OBJECTS,        /* ambient visibility between rigid objects, at any distance. Errors: its RMSE */
 };
 
-/* The values of plan.method. When light is wanted, HSAO dims the irradiance of harmonics. */
+/* The values of plan.method. If light is wanted, the visibility of HSAO dims the irradiance of harmonics. */
 enum {
     SSGI_PLAN_METHOD_NOTHING = 0,
     SSGI_PLAN_METHOD_HSAO,
@@ -997,33 +1005,34 @@ enum {
 /* The values of plan_scene.device: the device whose costs count. */
 enum {
     SSGI_PLAN_DEVICE_SOFTWARE = 0, /* llvmpipe's costs, measured */
-    SSGI_PLAN_DEVICE_GPU,          /* a GPU's, modelled: a Radeon RX 6800 of 1920x1080, by the instructions of its
-                                      compiler; never measured */
-    SSGI_PLAN_DEVICE_RX_6800       /* the same; costs, budget and depth_pass are its milliseconds of 1920x1080 */
+    SSGI_PLAN_DEVICE_GPU,          /* a GPU's, modelled: a Radeon RX 6800 at 1920x1080, by its compiler's instructions;
+                                      never measured */
+    SSGI_PLAN_DEVICE_RX_6800       /* the same, but costs, budget and depth_pass are in milliseconds at 1920x1080 */
 };
 
 /* How pictures of one frame differ, as RMS over the pixels with a surface. */
 typedef struct ssgi_survey {
-    float occlusion; /* RMS of 1 - visibility, by slabs where they are drawn; 0: no survey */
+    float occlusion; /* RMS of 1 - visibility, by slabs if they are drawn; 0: no survey */
     float detail;    /* RMS of best - hsao */
     float solid;     /* RMS of solid - hsao */
     float slabs;     /* RMS of slabs - hsao; 0: not drawn */
 } ssgi_survey;
 
-/* Makes a survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; each has count floats. A
-   pixel that is NaN in any of them is left out: set it NaN where there is no surface (the pass writes 1 there).
-     hsao, best    presets BALANCED and BEST with the default thickness, of chains WIDTH
+/* Makes a survey from pictures of ambient visibility by pass HSAO with slices, at full resolution, filtered, all of one
+   radius; each has count floats. A pixel that is NaN in any of them is left out: set pixels without a surface to NaN
+   (the pass writes 1 there).
+     hsao, best    presets BALANCED and BEST with the default thickness, which in chains is WIDTH
      solid         preset BALANCED with desc.gather.thickness SOLID
      slabs         preset BALANCED with desc.gather.thickness SLABS; may be NULL; the others may not */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
-/* Errors against ray-traced truth, in the measure of plan_scene.wanted. */
+/* Errors against ray-traced ground truth, in the measure of plan_scene.wanted. */
 typedef struct ssgi_calibration {
     int known;        /* 0: no calibration */
     float unoccluded; /* error of no occlusion at all */
-    float hsao;       /* error of slices at the preset BALANCED, thickness WIDTH; if light is wanted, times the light */
-    float slabs;      /* error of such slices with thickness SLABS; 0: not known */
+    float hsao;       /* error of slices, preset BALANCED, thickness WIDTH; for light: of visibility times the light */
+    float slabs;      /* the same error with thickness SLABS; 0: not known */
 } ssgi_calibration;
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
@@ -1041,8 +1050,8 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
                                          const float *normal, const float *hsao, const float *slabs, size_t count,
                                          int rays, float radius, const char **why);
 
-/* The known numbers of a scene, and the request. Zero means not known, or the default. A comment in capitals names the
-   values of `wanted` for which a member is read. */
+/* The known numbers of a scene, and the request. Zero means not known, or the default. Words in capitals before a colon
+   are the values of `wanted` for which the member is read. */
 typedef struct ssgi_plan_scene {
     /* the request */
     int wanted;   /* SSGI_PLAN_WANTED_VISIBILITY .. */
@@ -1058,28 +1067,28 @@ typedef struct ssgi_plan_scene {
     ssgi_calibration calibration; /* OBJECTS: only unoccluded is read */
 
     /* the light */
-    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; where the first is 0, those of a clear
-                        sky, 1 : 0.42 : 0.13 : 0.18 */
+    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; if the first is 0, those of a clear sky,
+                        1 : 0.42 : 0.13 : 0.18 */
     int map;         /* LIGHT, BOUNCE: 1: there is also an image of the environment, which ssdo looks up */
 
     /* the passes that may be drawn */
     int thickness;    /* the largest that may be chosen: SSGI_PLAN_THICKNESS_WIDTH, _BACK or _SLABS */
-    float depth_pass; /* [units: as budget] [limit: >= 0] cost of one depth-only pass; BACK adds 1 of it, SLABS 3 */
+    float depth_pass; /* [units: as budget] [limit: >= 0] cost of one depth-only pass; BACK needs 1, SLABS 3 */
     int history;      /* 1: frames may be averaged: the camera's motion is known, and trails may show */
-    double surfels;   /* VISIBILITY: surfels that the triangles become at size 0.03 (ssgi_surfels_predict), over the
-                         frame's pixels; 0: none may be made */
-    double splats;    /* VISIBILITY: texels of their splats at full size, all levels, over the frame's pixels
-                         [default: 55] */
-    int occluders;    /* OBJECTS: number of those with fields */
+    double surfels;   /* VISIBILITY: number of surfels at size 0.03 (ssgi_surfels_predict) / number of the frame's
+                         pixels; 0: surfels may not be made */
+    double splats;    /* VISIBILITY: number of texels of their splats at full resolution, all levels / number of the
+                         frame's pixels [default: 55] */
+    int occluders;    /* OBJECTS: number of occluders that have fields */
     float coverage;   /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
     int method; /* SSGI_PLAN_METHOD_NOTHING .. */
 
-    /* settings, 0 where the method has none. They are as in ssgi_gl_desc, but thickness is SSGI_PLAN_THICKNESS_WIDTH
-       .., and history is as in ssgi_gl_chain, field_resolution is the resolution of ssgi_field_desc, and
-       surfel_size the size of ssgi_surfel_desc */
+    /* settings, 0 if the method has none. They are those of ssgi_gl_desc, except: thickness is
+       SSGI_PLAN_THICKNESS_WIDTH ..; history is that of ssgi_gl_chain; field_resolution is the resolution of
+       ssgi_field_desc, surfel_size the size of ssgi_surfel_desc */
     int thickness, resolution, slices, samples, bands, history, levels, filter_radius, field_resolution;
     float surfel_size;
 
@@ -1090,14 +1099,14 @@ typedef struct ssgi_plan {
     char why[160]; /* one sentence */
 } ssgi_plan;
 
-/* Makes a plan. Where no choice meets the error, the nearest one is given, with meets 0 and a `why` that begins "cannot
-   be met". Bad input gives SSGI_BAD_ARGUMENT and leaves the plan untouched. It is a pure function. */
+/* Makes a plan. If no choice meets the error, the plan is the nearest choice, with meets 0 and a `why` that begins
+   "cannot be met". Bad input gives SSGI_BAD_ARGUMENT and leaves the plan untouched. It is a pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
 /* Writes choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked),
-   meets 0 and an empty `why`. Returns 1 with *plan filled; 0 with *plan untouched past the last choice, for NULL, or
-   where the choice does not serve scene->wanted, needs a part that the scene does not give, or would gain too little by
-   the light's directions. */
+   meets 0 and an empty `why`. Returns 1 with *plan filled. Returns 0 with *plan untouched past the last choice, for
+   NULL, and if the choice does not serve scene->wanted, needs something that the scene does not give, or uses the
+   light's directions though they would gain too little. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 
 enum { SSGI_PLAN_CHOICES = 52 };
@@ -1166,8 +1175,8 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
         if (r_ != SSGI_OK) return r_; \
     } while (0)
 
-/* Returns the bits of a float. With -ffast-math compilers take arguments and sums to be finite; clang, from 18 on, even
-   takes a test of their bits for true. Of what is volatile they know nothing. */
+/* Returns the bits of a float. With -ffast-math compilers assume that arguments and sums are finite; clang 18 and later
+   even drops a test of their bits. They assume nothing about a volatile variable. */
 static uint32_t ssgi__bits(float x)
 {
     uint32_t bits;
@@ -1177,7 +1186,7 @@ static uint32_t ssgi__bits(float x)
     return kept;
 }
 
-/* Whether x is finite. Ask it of what was given: of a sum a compiler may leave out terms. */
+/* Whether x is finite. x must be an input: of a sum a compiler may leave out terms. */
 static int ssgi__finite(float x) { return (ssgi__bits(x) & 0x7f800000u) != 0x7f800000u; }
 
 /* Whether v is not NULL and all its values are finite. */
@@ -1211,7 +1220,7 @@ SSGI__FN int ssgi__fits(double x)
     return (kept & 0x7fffffffffffffffu) <= 0x47efffffe0000000u; /* FLT_MAX */
 }
 
-/* Writes x as a float. Returns 0, and writes 0, where a float cannot hold it. */
+/* Writes x as a float. Returns 0, and writes 0, if a float cannot hold it. */
 SSGI__FN int ssgi__fit(float *out, double x)
 {
     const int fits = ssgi__fits(x);
@@ -1222,7 +1231,7 @@ SSGI__FN int ssgi__fit(float *out, double x)
 /* Whether x is finite and above 0 as a float, so that doubles hold its square and its inverse. */
 SSGI__FN int ssgi__above_zero(double x) { return ssgi__fits(x) && (float)x > 0.0f; }
 
-/* Returns x clamped to 0..most; NaN counts as 0. NaN, and what is below 0, have larger bits than infinity. */
+/* Returns x clamped to 0..most; NaN counts as 0. The bits of NaN and of negative floats are above infinity's. */
 static float ssgi__clamped(float x, float most)
 {
     if (ssgi__bits(x) > 0x7f800000u) return 0.0f;
@@ -1231,7 +1240,7 @@ static float ssgi__clamped(float x, float most)
 
 SSGI__FN int ssgi__within(float x, float least, float most) { return ssgi__finite(x) && x >= least && x <= most; }
 
-/* Whether x is a valid choice, of which 0 means the default. */
+/* Whether x is 0, which stands for the default, or in least..most. */
 SSGI__FN int ssgi__zero_or(float x, float least, float most)
 {
     return ssgi__within(x, 0.0f, 0.0f) || ssgi__within(x, least, most);
@@ -1364,11 +1373,11 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         fits &= ssgi__fit(&v.oblique[i], -2.0 * m[2 + 4 * i] / (size * gain * scale));
         skew -= m[2 + 4 * i] * (1.0 + centre) / gain;
     }
-    if (perspective) { /* NDC z = m14/z - m10, and m2 x/z + m6 y/z where it is oblique */
+    if (perspective) { /* NDC z = m14/z - m10, plus m2 x/z + m6 y/z if it is oblique */
         fits &= ssgi__fit(&v.depth[0], (shift + m[10] - skew) / m[14]);
         fits &= ssgi__fit(&v.depth[1], scale / m[14]);
         v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f; /* if nearness grows with window depth, depth is reversed */
-    } else {                                       /* NDC z = -m10 z + m14, and m2 x + m6 y */
+    } else {                                       /* NDC z = -m10 z + m14, plus m2 x + m6 y */
         fits &= ssgi__fit(&v.depth[0], (m[14] - shift + skew) / m[10]);
         fits &= ssgi__fit(&v.depth[1], -scale / m[10]);
         v.clear = v.depth[1] > 0.0f ? 1.0f : 0.0f;
@@ -1474,7 +1483,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");
 
     /* the new z axis points away from the centre; the new x axis is perpendicular to it and to the main camera's y
-       axis, or, where that is the new z axis, to the main camera's z axis */
+       axis, or, if that is the new z axis, to the main camera's z axis */
     for (int k = 0; k < 3; ++k) { /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
@@ -1492,7 +1501,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     }
     ssgi__cross(axis[1], axis[2], axis[0]);
     ssgi__cross(turn, was[0], was[1]);
-    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k]; /* mirrored */
+    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k]; /* mirrored, too */
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
         fits &= ssgi__fit(&view[12 + i], -ssgi__dot(axis[i], eye));
@@ -1557,7 +1566,7 @@ typedef struct ssgi__peaks {
     const uint32_t *index;
     uint32_t *corner; /* for each vertex a corner, 3 * triangle + k, that lies there */
     uint32_t *vertex; /* for each corner its vertex */
-    uint32_t *part;   /* for each vertex an earlier vertex of its level part, or itself; with SSGI__UP, SSGI__DOWN */
+    uint32_t *part;   /* for each vertex an earlier one of its level part, or itself; and flags: SSGI__UP, SSGI__DOWN */
     double up[3], middle[3];
     int along; /* 1: heights are along up; 0: they are distances from middle */
 } ssgi__peaks;
@@ -1596,7 +1605,7 @@ SSGI__FN void ssgi__peaks_sift(const ssgi__peaks *m, size_t k, size_t n)
     m->corner[k] = moved;
 }
 
-/* Sorts n corners, then gives corners at one place one vertex. Returns the number of vertices. */
+/* Sorts n corners, then gives all corners at one place the same vertex. Returns the number of vertices. */
 SSGI__FN size_t ssgi__peaks_weld(const ssgi__peaks *m, size_t n)
 {
     size_t vertices = 0;
@@ -1688,7 +1697,7 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
     SSGI__ENOUGH(words, 9 * triangles, "words: must be 9 * triangles or more");
     m.vertex = work + 3 * triangles;
     m.part = m.vertex + 3 * triangles;
-    for (size_t i = 0; i < 3 * triangles; ++i) m.vertex[i] = SSGI__PART; /* for now all are left out */
+    for (size_t i = 0; i < 3 * triangles; ++i) m.vertex[i] = SSGI__PART; /* for now none is used */
     for (size_t i = 0; i < triangles; ++i) {
         double p[3][3];
         int inside = 1;
@@ -1786,8 +1795,8 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
     return ssgi_directions(out, SSGI_DIRECTIONS_COSINE, sets, samples, why);
 }
 
-/* Writes the height of a direction and its distance from the z axis, where a share u of all directions lies between it
-   and +z. */
+/* Writes the height of a direction and its distance from the z axis. The direction is the one that has a share u of all
+   directions between itself and +z. */
 SSGI__FN void ssgi__directions_at(double out[2], int kind, double u)
 {
     const double most = kind == SSGI_DIRECTIONS_SPHERE ? 2.0 : 1.0;
@@ -1804,8 +1813,8 @@ SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples
                 "kind: must be SSGI_DIRECTIONS_COSINE, _UNIFORM or _SPHERE");
     SSGI__RANGE(sets, 1, 4096);
     SSGI__RANGE(samples, 1, 4096);
-    /* a step coprime to the count visits every stratum of length once; near sqrt(2)-1 of it, it follows neither u nor
-       azimuth */
+    /* a step coprime to the count visits every stratum of length once; a step near (sqrt(2) - 1) times the count makes
+       length independent of u and of azimuth */
     for (step = (int)(0.41421356 * samples + 0.5); ssgi__gcd(step, samples) != 1; ++step) {}
     for (int set = 0; set < sets; ++set) {
         double turn = (double)ssgi_radical_inverse(2, (uint32_t)set),
@@ -1839,7 +1848,7 @@ SSGI__FN int ssgi__block_distance(const ssgi__block *b, int x, int y)
         int dx = (x - k * b->shift) % b->w, dy = y + k * b->h;
         if (dx < 0) dx += b->w;
         if (dx > b->w - dx) dx = b->w - dx;
-        if (!dx && !dy) dx = b->w; /* the texel itself: its next copy */
+        if (!dx && !dy) dx = b->w; /* for the texel itself its nearest copy counts */
         least = dx * dx + dy * dy < least ? dx * dx + dy * dy : least;
     }
     return least;
@@ -1901,7 +1910,7 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
     SSGI__RANGE(directions, 1, 1024);
     copies = texels / sets;
     b = ssgi__block_of(size, sets);
-    /* the step is coprime to the count and near the golden ratio of it, so that numbers in a row are far apart */
+    /* the step is coprime to the count and near its golden section, so that consecutive numbers are far apart */
     for (step = (int)(0.61803399 * texels + 0.5); ssgi__gcd(step, texels) != 1; ++step) {}
     ssgi__block_order(out, size, &b);
     for (int i = texels - 1; i >= 0; --i) { /* the block at 0, 0 comes last, as the others read it */
@@ -2029,7 +2038,7 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
     return SSGI_OK;
 }
 
-/* Returns the solid angle of the rectangle from (0,0) to (x,y) at distance 1, negative where x y is. */
+/* Returns the solid angle of the rectangle from (0,0) to (x,y) at distance 1, negative if x y is. */
 SSGI__FN double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
 /* Writes the unit direction of a place on a face, with s and t in [-1,1], by OpenGL 4.6, table 8.19. */
@@ -2164,7 +2173,7 @@ SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
-/* Makes a unit vector of v. Returns 0 where v is NULL, not finite or 0. */
+/* Makes a unit vector of v. Returns 0 if v is NULL, not finite or 0. */
 SSGI__FN int ssgi__direction(double d[3], const float *v)
 {
     if (!ssgi__finites(v, 3)) return 0;
@@ -2236,7 +2245,7 @@ SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
     *end = a + la < b + lb ? a + la : b + lb;
 }
 
-/* Averages the image, constant in each texel, over cells of exact solid angle; cells may be smaller than texels. */
+/* Averages the image, whose texels are constant, over cells of exact solid angle; cells may be smaller than texels. */
 SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
                                       int height)
 {
@@ -2363,7 +2372,7 @@ SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const
     ssgi__equirect_row(polar, 0.5 * (part.lower[1] + part.upper[1]), width, height);
     axis = rows > 1 && (columns < 2 || 2.0 * columns * polar[0] / width <= (double)rows / height);
     while ((part.upper[axis] - part.lower[axis] - 1) >> shift >= SSGI__REGION_BINS) ++shift;
-    for (;; shift = 0) { /* on sides of more than 256 it finds first the bin, then the line within it */
+    for (;; shift = 0) { /* if the side has more than 256 lines: first finds the bin, then the line in it */
         ssgi__region_bins(bin, &part, axis, shift, rgb, width, height);
         last = (part.upper[axis] - part.lower[axis] - 1) >> shift;
         for (b = 0; b < last && before + bin[b] < half; ++b) before += bin[b];
@@ -2398,7 +2407,7 @@ SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float
             ssgi__along(mean, mean, luminance, d);
         }
     }
-    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or as bright on all sides */
+    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* the region is dark, or its light comes evenly from all around */
         ssgi__equirect_row(polar, 0.5 * (r->lower[1] + r->upper[1]), width, height);
         ssgi__equirect(mean, polar, 0.5 * (r->lower[0] + r->upper[0]), width);
     }
@@ -2415,7 +2424,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
     SSGI__THERE(out);
     SSGI__RANGE(count, 1, 1024);
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
-    ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height); /* all in one bin */
+    ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height); /* bin 0 has the sum of all columns */
     region[0].energy = bin[0];
     for (n = 1; n < count; ++n) {
         int most = -1;
@@ -2477,7 +2486,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     }
     SSGI__CHECK(total > 0.0, "flux: must be above 0 somewhere");
     sum = here = ssgi__light3(rgb, flux, 0.0f, 1.0);
-    k = 0; /* not beyond `last`, the last pixel with flux, since rounding may miss the end */
+    k = 0; /* k stays at or before `last`, the last pixel with flux, since rounding may miss the end */
     for (int i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
         while (k < last && sum <= at) sum += here = ssgi__light3(rgb, flux + 3 * ++k, 0.0f, 1.0);
@@ -2528,10 +2537,10 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 /* ==== >>trace (implementation) ================================================================================= */
 
 /* A tree with eight children a node and four triangles a leaf, both laid out so that a loop over them is one or two
-   vector operations. A large tree does not fit the caches; eight children halve the nodes that a ray waits for one
-   after the other. The tree comes from binary splits at the middle of the longest axis; the left side of a split always
-   gets a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there
-   are at most 4 L / 7 + 1 nodes, as a node with fewer than eight children has only leaves, two at least. */
+   vector operations. A large tree does not fit the caches; with eight children a ray waits for fewer nodes one after
+   the other. The tree comes from binary splits at the middle of the longest axis; the left side of a split always gets
+   a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are
+   at most 4 L / 7 + 1 nodes, as a node with fewer than eight children has only leaves, two at least. */
 
 #define SSGI__TRACE_LIMIT 1e12f /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF 0x80000000u
@@ -2541,12 +2550,12 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 #define SSGI__TRACE_STACK ((SSGI__TRACE_WIDE - 1) * (SSGI__TRACE_DEEP + 30) + SSGI__TRACE_WIDE)
 
 typedef struct ssgi__trace_node {
-    float bound[2][3][SSGI__TRACE_WIDE]; /* lower and upper; axis; child */
-    uint32_t child[SSGI__TRACE_WIDE];    /* node, or block + LEAF */
+    float bound[2][3][SSGI__TRACE_WIDE]; /* [0 lower, 1 upper][axis][child] */
+    uint32_t child[SSGI__TRACE_WIDE];    /* number of a node, or number of a block + SSGI__TRACE_LEAF */
 } ssgi__trace_node;
 
 typedef struct ssgi__trace_block {
-    float corner[3][3][4]; /* corner; axis; triangle */
+    float corner[3][3][4]; /* [corner][axis][triangle] */
     uint32_t triangle[4];
 } ssgi__trace_block;
 
@@ -2814,7 +2823,7 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
 typedef struct ssgi__trace_ray {
     float origin[3], direction[3];
     float inverse[3]; /* 1 / direction, finite */
-    int sign[3];      /* 1 where the direction is negative */
+    int sign[3];      /* 1 if the direction is negative */
     /* the same ray with x, y, z permuted so that z is the longest axis of its direction, and sheared along z */
     int axis[3];
     float from[3], slope[2];
@@ -2845,10 +2854,11 @@ static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], cons
 }
 
 /* Writes to at[c][i][k] corner c of triangle k, sheared so that the ray is the z axis, and to inside[k] whether the
-   ray's line meets the triangle. Two products tell on which hand of the line a side lies. They are compared, not
-   subtracted: compilers may fuse a product with a difference, and then the two triangles of a side disagree. As they
-   share sheared corners, too, neither edges nor corners leave gaps [Woop, Benthin, Wald 2013]. Sums are not to be taken
-   apart, either: the difference from the origin comes first, which is exact where it is small. */
+   ray's line meets the triangle. The sign of a difference of two products tells on which side of the line an edge lies.
+   The products are compared, not subtracted: compilers may fuse a product with a difference, and then the two triangles
+   at an edge disagree. As these triangles share sheared corners, too, neither edges nor corners leave gaps [Woop,
+   Benthin, Wald 2013]. Compilers must not reorder the sums, either: the difference from the origin comes first, as it
+   is exact if it is small. */
 static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float at[3][2][4],
                                   int inside[4])
 {
@@ -2875,9 +2885,9 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* Returns the t at which the ray meets triangle k, whose corners have these weights. It is where the ray meets the
-   triangle's plane, computed in double for small details on large triangles. Where that is not between the corners, the
-   triangle is seen along its plane, and the mean of the corners counts. */
+/* Returns the t at which the ray meets triangle k, whose corners have these weights. It is the t at the triangle's
+   plane, in double precision for small details on large triangles. If that t is not between those of the corners, the
+   ray runs along the plane, and the result is the weighted mean of the corners' t. */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const ssgi__trace_ray *ray,
                                   const float weight[3], float sum)
 {
@@ -2936,7 +2946,7 @@ static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ra
 }
 
 /* Writes the t at which the ray enters and leaves the boxes of a node's children, within tmin .. tmax. The ray misses a
-   box where enter > leave. */
+   box if enter > leave. */
 static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ray *ray, float tmin, float tmax,
                               float enter[SSGI__TRACE_WIDE], float leave[SSGI__TRACE_WIDE])
 {
@@ -2966,7 +2976,7 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     struct {
         uint32_t child;
         float t;
-    } stack[SSGI__TRACE_STACK + 1]; /* one more, as a child that is missed is written too */
+    } stack[SSGI__TRACE_STACK + 1]; /* one more: a child that is missed is written above the top, too */
 
     ssgi__trace_ray ray;
     int top = 0, found = 0;
@@ -2984,7 +2994,8 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
             continue;
         }
         ssgi__trace_boxes(nodes + child, &ray, tmin, tmax, enter, leave);
-        /* the nearest goes on top, where the order matters; else there is no branch on `in`, often guessed wrong */
+        /* for the closest hit the nearest child goes on top; for any hit the loop has no branch on `in`, which
+           processors often predict wrong */
         for (int k = 0; k < SSGI__TRACE_WIDE; k++) {
             const int in = enter[k] <= leave[k];
             int j = top;
@@ -3040,7 +3051,7 @@ SSGI__FN float ssgi__trace_extent(const ssgi_trace *trace)
     return most;
 }
 
-/* Returns a number for a point, by the bits of its coordinates; 0 and -0 give the same number. */
+/* Returns a hash of a point's coordinates, by their bits; 0 and -0 give the same hash. */
 SSGI__FN uint32_t ssgi__trace_seed(const float p[3])
 {
     uint32_t seed = 0, bits;
@@ -3095,8 +3106,8 @@ typedef struct ssgi__tess_point {
     int place[3]; /* on the lattice, counted from the ring's corners */
 } ssgi__tess_point;
 
-/* Steps to the next point, in rings inwards, and to the first from { level, 0, -1, { 0 } }. Returns 0 if there is
-   none. */
+/* Steps to the next point, ring by ring inwards; from { level, 0, -1, { 0 } } it steps to the first. Returns 0 after
+   the last. */
 SSGI__FN int ssgi__tess_next(ssgi__tess_point *p)
 {
     int segments = p->level - 2 * p->ring, side, along;
@@ -3196,12 +3207,12 @@ typedef struct ssgi__surfel_maker {
     const ssgi_view *view;
     const ssgi_surfel_source *source;
     ssgi_surfel_desc desc;
-    double scale[2], normals[3][3], side; /* side: -1 where the mesh is mirrored */
+    double scale[2], normals[3][3], side; /* side: -1 if the mesh is mirrored */
 } ssgi__surfel_maker;
 
 typedef struct ssgi__patch {
     double at[3][3], normal[3][3], colour[3][3];
-    double face[3], area, radius; /* face: the triangle's own unit normal, by the turn of its corners */
+    double face[3], area, radius; /* face: the triangle's own unit normal, by the order of its corners */
     int level, alive, count;      /* alive: a bit for each of the three points of level 1 that stays; count: surfels */
     uint32_t key;
 } ssgi__patch;
@@ -3211,8 +3222,8 @@ static const float *ssgi__surfel_at(const float *data, size_t stride, size_t i)
     return (const float *)(const void *)((const char *)data + i * (stride ? stride : 12));
 }
 
-/* Writes position, normal and colour of a vertex: 0 0 0 and 1 1 1 where the source's are NULL; a normal that is not
-   finite is 0 0 0, and so is such a part of a colour 0. */
+/* Writes position, normal and colour of a vertex. A source without normals gives 0 0 0, one without colours 1 1 1. A
+   normal that is not finite becomes 0 0 0, a component of a colour that is not finite 0. */
 SSGI__FN void ssgi__surfel_vertex(float v[9], const ssgi_surfel_source *s, size_t vertex)
 {
     const float *part[3];
@@ -3259,7 +3270,7 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
 }
 
 /* Returns the smallest surfel radius in a patch, which is that at the patch's depth nearest to the near plane. A patch
-   that reaches in front of the eye, but not as far as the near plane, gets the radius at the near plane. */
+   that ends between the eye and the near plane gets the radius at the near plane. */
 SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_maker *m)
 {
     double low = 1e300, high = -1e300;
@@ -3307,7 +3318,7 @@ SSGI__FN void ssgi__surfel_inset(ssgi__patch *p, int overhang)
     double weight[3], d[3], centre[3] = { 0.0, 0.0, 0.0 }, sum = 0.0;
     for (int c = 0; c < 3; ++c) {
         ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
-        weight[c] = overhang == SSGI_OVERHANG_CENTROID ? 1.0 : sqrt(ssgi__dot(d, d)); /* of the inscribed circle */
+        weight[c] = overhang == SSGI_OVERHANG_CENTROID ? 1.0 : sqrt(ssgi__dot(d, d)); /* sides weigh the incentre */
         sum += weight[c];
     }
     for (int c = 0; c < 3; ++c) ssgi__along(centre, centre, weight[c] / sum, p->at[c]);
@@ -3347,7 +3358,7 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
-    p->alive = 0; /* chosen by the golden ratio, so evenly along the order of indices, which is mostly spatial */
+    p->alive = 0; /* the golden ratio chooses evenly along the order of indices, which mostly follows position */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
@@ -3358,7 +3369,7 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     return 1;
 }
 
-/* Writes the unit normal of a surfel: the mean of the corners', or the triangle's own where that is 0. */
+/* Writes the unit normal of a surfel: the mean of the corners' normals, or the triangle's own if that mean is 0. */
 SSGI__FN void ssgi__surfel_normal(float out[3], const ssgi__surfel_maker *m, const ssgi__patch *p,
                                   const double weight[3])
 {
@@ -3424,7 +3435,7 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
 }
 
 /* Checks the arguments and fills a maker. The matrix of normals is the cofactors of to_view's, so that normals stay
-   perpendicular under any scale; `side` is -1 where to_view mirrors. */
+   perpendicular under any scale; `side` is -1 if to_view mirrors. */
 SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const ssgi_surfel_source *source, const char **why)
 {
@@ -3538,9 +3549,9 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 }
 
 /* Writes the bounds x0, y0, x1, y1 of the pixels that the part of a sphere deeper than front (> 0 when perspective)
-   covers, clipped to the frame, exact in each axis [Mara, McGuire 2013]. Unless the normal is 0, the part is of the
-   half that lies before the disc with this unit normal; its bounds are exact where the disc is deeper than front.
-   Returns 0 if the part covers none, with bounds untouched. GLSL twin: ssgi_sphere. */
+   covers, clipped to the frame, exact in each axis [Mara, McGuire 2013]. Unless the normal is 0, only the half of the
+   sphere counts that lies before the disc with this unit normal; its bounds are exact if the disc is deeper than front.
+   Returns 0, with bounds untouched, if the part covers no pixel. GLSL twin: ssgi_sphere. */
 SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], const float normal[3],
                                  float radius, float front)
 {
@@ -3553,8 +3564,8 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
     for (int axis = 0; axis < 2; ++axis) {
         const double aside = n[1 - axis] * n[1 - axis];
         for (int high = 0; high < 2; ++high) {
-            /* the axis is mirrored where the lower bound is wanted, so that it is the upper one; with perspective it
-               is a slope, of the tangent or of the point where the sphere meets the front */
+            /* for a lower bound the axis is mirrored, so that it becomes an upper bound; with perspective the bound is
+               a slope: that of the tangent, or of the point at which the sphere meets the front */
             const double side = (view->project[axis] < 0.0f) != (high != 0) ? 1.0 : -1.0,
                          x = side * (double)centre[axis], m = side * n[axis], cc = x * x + z * z, off = cc - r * r,
                          t = off > 0.0 ? sqrt(off) : 0.0, depth = z * t - x * r, plane = x * m - z * n[2];
@@ -3565,7 +3576,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
                 disc = (x * z - r * r * n[2] * m + r * sqrt(root > 0.0 ? root : 0.0)) / ((z - deep) * (z + deep));
                 facing = z - deep > begin ? m + disc * n[2] : 0.0;
             }
-            /* where a tangent touches the other half, the bound is that of the disc */
+            /* if the tangent touches the other half, the bound is that of the disc */
             if (facing < 0.0 && disc < e) e = disc;
             e = side * e * (double)view->project[axis] + (double)view->project[2 + axis];
             out[axis + 2 * high] = (float)(e < 0.0 ? 0.0 : e > size[axis] ? size[axis] : e);
@@ -3576,7 +3587,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
     return 1;
 }
 
-#define SSGI__SPLAT_EPSILON 0.3f /* ssgi_splat.epsilon, where it is 0 */
+#define SSGI__SPLAT_EPSILON 0.3f /* the default of ssgi_splat.epsilon */
 
 /* Checks a splat and copies it with its defaults in place. */
 SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
@@ -3773,7 +3784,7 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
 
 /* ==== >>reflection (implementation) =============================================================================== */
 
-/* A value clamped to least..1; 0 where it is not finite. */
+/* Returns x clamped to least..1; 0 if x is not finite. */
 SSGI__FN float ssgi__up_to_one(float x, float least)
 {
     return ssgi__finite(x) ? ssgi__max(ssgi__min(x, 1.0f), least) : 0.0f;
@@ -3851,7 +3862,7 @@ SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3
 
 /* The samples along a direction w, to which a curve or a centre is fitted. */
 typedef struct ssgi__field_data {
-    const double *radii, *values, *w; /* values: one a radius for a curve, unit vectors of three for a centre */
+    const double *radii, *values, *w; /* values at each radius: a number for a curve, a unit vector for a centre */
     int count, chord;                 /* chord: which error of a centre, see ssgi__field_centre_error */
     double most;                      /* the bound of a curve */
 } ssgi__field_data;
@@ -3859,8 +3870,9 @@ typedef struct ssgi__field_data {
 typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
 
 /* Moves the three unknowns u by Levenberg and Marquardt's descent until the error is at most `stop` or falls no more,
-   and returns the error. f gives the error and, where a is not NULL, adds the normal equations of the error: J J^T to
-   a, -J residual to b. An error that is not below the last one, NaN included, is a step too far. */
+   and returns the error. f gives the error and, if a is not NULL, adds the normal equations of the error: J J^T to a,
+   -J residual to b. A step whose error is not below the last one, or is NaN, was too long: it is tried again with more
+   damping. */
 SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
 {
     double damping = 1e-3, error = f(data, u, NULL, NULL);
@@ -3918,7 +3930,7 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
     return sum;
 }
 
-/* Fits 1/q to values in 0..most at three or more radii, ascending. q is a quadratic in r as published [AOF05 eq. 6, 9],
+/* Fits 1/q to values in 0..most at three or more ascending radii. q is a quadratic in r as published [AOF05 eq. 6, 9],
    but held above 1/most from the first radius, t = 0, to the last, t = 1: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2.
    Returns the sum of squared errors. */
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
@@ -3938,9 +3950,9 @@ SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *
     return error;
 }
 
-/* Returns the error by which directions miss a point c, for ssgi__field_descend: the sum of squared chords, |unit
-   vector to c - direction|^2, or of (1 - cosine)^2. It is 1e300 for a point beyond the hull's tangent at the first
-   radius, where directions would flip. */
+/* Returns the error by which directions miss a point c, for ssgi__field_descend: with `chord` the sum of squared
+   chords, |unit vector to c - direction|^2, else that of (1 - cosine)^2. It is 1e300 for a point beyond the hull's
+   tangent at the first radius, where directions would flip. */
 SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
@@ -3948,7 +3960,7 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
     for (int i = 0; i < data->count; ++i) {
         const double *y = data->values + 3 * i;
         double v[3], length, cosine, residual;
-        if (!(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] > 0.25)) continue; /* all without calls, for speed */
+        if (!(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] > 0.25)) continue; /* no function calls here, for speed */
         for (int k = 0; k < 3; ++k) v[k] = c[k] - data->radii[i] * data->w[k];
         length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); /* above 0, as c is below the first radius along w */
         for (int k = 0; k < 3; ++k) v[k] /= length;
@@ -3966,11 +3978,12 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
     return sum;
 }
 
-/* Writes the characteristic centre c [AOF05 eq. 7, 10]: the point that the directions seen from radius * w point to, or
-   the origin where they do not determine a point. Returns the sum of (1 - cosine)^2, never above that of the origin.
-   Since this error is flat near its least, descent on the chords comes first, and descent on the error then polishes.
+/* Writes the characteristic centre c [AOF05 eq. 7, 10]: the point to which the directions that are seen from radius * w
+   lead, or the origin if they do not determine a point. Returns the sum of (1 - cosine)^2, never above that of the
+   origin. Since this error is flat near its least, descent on the chords comes first, and descent on the error then
+   polishes.
      directions   unit, 3 each; zero vectors do not count
-     flat         an error of the origin too small to determine a point */
+     flat         the origin is the centre if its error is at most this, which is too small to determine a point */
 SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
                                    int count, double flat)
 {
@@ -3978,7 +3991,7 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
     memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
-    if (!(best > flat)) return best; /* all point at the centre already, so c is undetermined */
+    if (!(best > flat)) return best; /* all directions lead to the origin already, so c is undetermined */
     for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
@@ -3996,12 +4009,12 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
 typedef struct ssgi__field_occluder {
     ssgi_trace trace;
     double centre[3], radius;
-    /* corners of the hull about the centre, and the distance by which the hull may lie beyond them */
+    /* corners of the hull, from the centre, and the distance by which the hull may reach beyond them */
     double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_occluder;
 
-/* Writes the corner that is farthest along n, from the centre. Returns its distance along n. Boxes that end before the
-   farthest corner found so far are not opened. */
+/* Writes the corner that is farthest along n, from the centre. Returns its distance along n. Nodes whose box ends
+   before the farthest corner found so far are skipped. */
 SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
@@ -4069,10 +4082,10 @@ SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 *
 
 /* Returns the distance at which a ray from the centre along w leaves the hull, and in p the portal there. The portal is
    at first a face of a small octahedron about the centre, which counts as part of the hull so that even flat occluders
-   have one. The farthest corner along its normal splits it, until none is beyond its plane. */
+   have one. The hull's farthest corner along its normal splits it, until no corner is beyond its plane. */
 SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3], ssgi__field_portal *p)
 {
-    const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0); /* an odd number of mirrors */
+    const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0); /* an odd number of axes is mirrored */
     memset(p, 0, sizeof *p);
     for (int i = 0; i < 3; ++i)
         p->corner[turned && i < 2 ? 1 - i : i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
@@ -4082,7 +4095,7 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (int i = 0; i < 3; ++i) { /* of three parts, the one that holds the ray by the largest margin */
+        for (int i = 0; i < 3; ++i) { /* takes that of three parts which holds the ray by the largest margin */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
@@ -4109,9 +4122,9 @@ SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
 
-/* Measures the centre, the radius, corners of the hull, and how far it may lie beyond them. The centre is the mean of
-   the farthest corners over all directions: the hull's Steiner point, which is inside. Returns 0 if the occluder has no
-   extent. */
+/* Measures the centre, the radius, corners of the hull, and how far the hull may reach beyond them. The centre is the
+   mean of the farthest corners over all directions: the hull's Steiner point, which is inside. Returns 0 if the
+   occluder has no extent. */
 SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -4150,13 +4163,13 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 }
 
 /* Finds a cone from a point outside of the hull that holds all of the occluder. Writes its axis and returns the cosine
-   of its half-angle. The cone is about the mean direction to some corners and wider by the distance that the hull may
-   lie beyond them; or it is the half space below the hull's plane. */
+   of its half-angle. The cone is about the mean direction to some corners, and wider by the distance that the hull may
+   reach beyond them; or it is the half space below the hull's plane. */
 SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][4], ax = 0.0, ay = 0.0, az = 0.0; /* d: unit vectors and lengths */
-    for (int i = 0; i < SSGI__FIELD_FEW; ++i) { /* without calls, which took an eighth of a bake's time */
+    for (int i = 0; i < SSGI__FIELD_FEW; ++i) { /* function calls here took an eighth of a bake's time */
         const double x = m->few[i][0] - point[0], y = m->few[i][1] - point[1], z = m->few[i][2] - point[2],
                      length = sqrt(x * x + y * y + z * z), some = length > 0.0 ? length : 1.0;
         ax += d[i][0] = x / some;
@@ -4170,7 +4183,7 @@ SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, c
     if (!(ssgi__normalise(axis) > 0.0)) least = -1.0;
     for (int i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
         const double c = d[i][0] * axis[0] + d[i][1] * axis[1] + d[i][2] * axis[2], s = m->loose / d[i][3];
-        if (c - s - s * s > least + 1e-9) continue; /* less than `wide`, which is then not the least */
+        if (c - s - s * s > least + 1e-9) continue; /* c - s - s * s is below `wide`: so `wide` is not the least */
         const double wide = s < 1.0 ? c * sqrt(1.0 - s * s) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * s : -1.0;
         if (wide < least) least = wide;
     }
@@ -4185,14 +4198,15 @@ typedef struct ssgi__field_bake {
     const ssgi_field_desc *desc;
     ssgi__field_occluder occluder;
     ssgi_field *field;
-    int size;             /* of the fine map's faces: twice the field's resolution, or the resolution itself */
+    int size;             /* texels along a face of the fine map: twice the field's resolution, or with unfiltered the
+                             same */
     float *fine, *coarse; /* maps of eight components a texel, six faces; the coarse one has the field's resolution */
-    float *error;         /* errors of validation receivers; reuses fine */
+    float *error;         /* errors of validation receivers, in the memory of fine */
     int first;            /* texel of job 0 */
 } ssgi__field_bake;
 
-/* Returns the number of texel x, y of a face; beyond the edges of the face, that of a texel of the neighbouring
-   face. */
+/* Returns the number of texel x, y of a face. If x or y is beyond the face's edges, the texel is one of the
+   neighbouring face. */
 SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
 {
     if (x < 0 || y < 0 || x >= size || y >= size) {
@@ -4207,8 +4221,8 @@ SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-/* Samples the occluder from the point at r along w from the centre, by rays in the cone that encloses it, and writes
-   the point. `sum` is `out` of ssgi__field_sample. */
+/* Samples the occluder from the point at distance r along w from the centre, by rays in the cone that encloses the
+   occluder, and writes the point. `sum` is `out` of ssgi__field_sample. */
 SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
                                const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
                                int rays, uint32_t seed)
@@ -4245,7 +4259,7 @@ SSGI__FN void ssgi__field_yours(double sum[][4], const ssgi__field_bake *b, cons
     }
 }
 
-/* Returns how many rays are traced at a distance; share: the hull's over that. */
+/* Returns how many rays are traced at a distance; share: the hull's distance / this distance. */
 SSGI__FN int ssgi__field_rays(int rays, double share)
 {
     const int fewer = (int)((double)rays * share);
@@ -4283,14 +4297,14 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         memcpy(directions + 3 * i, sum + 1, 3 * sizeof *sum);
     }
     ssgi__field_fit(q, radii, values, b->desc->radii, SSGI__PI);
-    /* the tolerance is the rays' noise, to which a centre near the hull would be fitted */
+    /* the tolerance is the rays' noise: without it a centre near the hull would be fitted to that noise */
     ssgi__field_centre(c, w, radii, directions, b->desc->radii,
                        0.0625 * b->desc->radii / ((double)b->desc->rays * b->desc->rays));
     length = sqrt(ssgi__dot(c, c));
     if (length > b->occluder.radius)
         for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
-    q[1] += sqrt(q[0] * q[2]); /* positive if q > 0 on [0,1], so that it has a logarithm, and blends of logarithms keep
-                                  it positive */
+    q[1] += sqrt(q[0] * q[2]); /* positive if q > 0 on [0,1], so that it has a logarithm; blends of logarithms keep q
+                                  positive */
     for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
     ssgi__floats(out + 4, c);
@@ -4350,8 +4364,8 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
             }
 }
 
-/* Returns A_0, the mean occlusion of points in the hull, weighted toward the centre. Where more than 95 % of the rays
-   hit, the mesh encloses the point, which does not count. If no point counts, it is 1. */
+/* Returns A_0, the mean occlusion of points in the hull, weighted toward the centre. A point does not count if more
+   than 95 % of its rays hit, since the mesh then encloses it. If no point counts, A_0 is 1. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
@@ -4372,8 +4386,8 @@ SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
     return weight > 0.0 ? (float)(sum / weight) : 1.0f;
 }
 
-/* Measures the field's errors at validation position i, at four receivers, by 1024 rays. Its limits lie beyond the
-   reach, so that nothing fades. */
+/* Measures the field's errors at validation position i, at four receivers, by 1024 rays. The ramp's limits lie beyond
+   the reach, so that occlusion does not fade. */
 SSGI__FN void ssgi__field_held(void *context, int i)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
@@ -4384,7 +4398,7 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
-    for (int n = 0; n < 4; ++n) { /* no normal faces straight away from the occluder, where occlusion is 0 */
+    for (int n = 0; n < 4; ++n) { /* no normal faces straight away from the occluder: occlusion would be 0 */
         ssgi__polar(normal[n], 2.0 * ssgi__turn((uint32_t)(8 * i + n)) - 1.0,
                     2.0 * SSGI__PI * ssgi__turn((uint32_t)(8 * i + n + 4)));
         if (ssgi__dot(normal[n], w) > 0.5)
@@ -4448,7 +4462,7 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     return SSGI_OK;
 }
 
-/* Returns the number of floats that both maps of a bake take; the errors reuse the fine map. */
+/* Returns the number of floats that both maps of a bake take; the errors use the fine map's memory. */
 SSGI__FN size_t ssgi__field_floats(int resolution)
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
@@ -4694,7 +4708,7 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     SSGI__CHECK(f->median >= 0.0f && f->p95 >= 0.0f && f->max_error >= 0.0f, corrupt);
     for (int i = 0; i < 3; ++i) /* the logarithms are limited, so that powers of 2, and products of two, are finite */
         SSGI__CHECK(f->low[i] >= -64.0f && f->low[i] + f->span[i] <= 62.0f, corrupt);
-    /* bakes make none smaller, and no hull so close to its centre */
+    /* no bake makes a radius or a hull's distance smaller than these */
     SSGI__CHECK(f->radius > 9e-13f && f->low[3] > 1e-6f * f->radius && f->reach > f->low[3] + f->span[3], corrupt);
     SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);
     SSGI__CHECK(f->low[7] >= 0.0f && f->low[7] + f->span[7] <= 1.00001f, "file: its covered share must be 0..1");
@@ -4779,13 +4793,13 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
 }
 
 /* The predicted squared error of a choice is a linear combination of these terms of the scene, with weights that were
-   fitted for each choice (make fit). E is the squared error without any occlusion. */
+   fitted for each choice (make fit). E is the squared error of no ambient occlusion. */
 enum {
     SSGI__PLAN_UNOCCLUDED,     /* E */
     SSGI__PLAN_HSAO_ERROR,     /* squared error of hsao */
     SSGI__PLAN_SLABS_ERROR,    /* squared error of hsao with slabs */
-    SSGI__PLAN_COARSE,         /* E times a surfel's size over the radius */
-    SSGI__PLAN_UNEVEN,         /* E times the light's energy beyond band 0, over that of band 0 */
+    SSGI__PLAN_COARSE,         /* E * size of a surfel / screen radius */
+    SSGI__PLAN_UNEVEN,         /* E * the light's energy above band 0 / its energy in band 0 */
     SSGI__PLAN_CONSTANT_ERROR, /* 1e-4 */
     SSGI__PLAN_TERMS           /* number of terms */
 };
@@ -4811,8 +4825,9 @@ enum {
     SSGI__PLAN_O = SSGI_PLAN_WANTED_OBJECTS
 };
 
-/* make fit prints the rows. NOTHING is no ambient occlusion; E, hsao, slabs and the columns behind are weights of the
-   terms above. The three rows of CONSTANT have CPU costs and weights of pictures of SOLID: make fit is due for them. */
+/* make fit prints the rows. NOTHING is no ambient occlusion. The columns from E on are weights of the terms above. The
+   three rows with CONSTANT have CPU costs and weights that were measured with SOLID: make fit has not been run for them
+   since. */
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   /*                  thickness
                       |         resolution
@@ -4878,31 +4893,31 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 };
 /* clang-format on */
 
-/* The values that stand in for numbers which a scene leaves 0. */
+/* The defaults of numbers that a scene leaves 0. */
 #define SSGI__PLAN_RADIUS 0.15   /* screen_radius */
 #define SSGI__PLAN_TEXELS 55.0   /* splats */
 #define SSGI__PLAN_COVERAGE 0.1f /* coverage */
 #define SSGI__PLAN_QUARTER 3     /* a row's resolution: SSGI_GL_RESOLUTION_QUARTER */
-/* An unblurred 16-sample ssao takes a Radeon RX 6800 so many milliseconds at 1920x1080, modelled (make cost). */
+/* The milliseconds of an unblurred 16-sample ssao on a Radeon RX 6800 at 1920x1080, modelled (make cost). */
 #define SSGI__PLAN_MS 0.184
-/* An error below a tenth of the one asked for is negligible: in squares it adds a hundredth. */
+/* An error below a tenth of the one asked for is negligible: squared errors add, so it adds a hundredth. */
 #define SSGI__PLAN_NEGLIGIBLE 0.1
 
 /* The energies of a clear sky's bands are those of the examples' "sky". */
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
 
-/* Weights that give squared errors from a survey's squares (make fit). The rows are the errors without occlusion, of
-   hsao, of slabs; the columns weigh occlusion, detail, solid, slabs. The first table is for surveys without slabs, the
-   second for those with them. */
+/* Weights that give squared errors from a survey's squares (make fit). The rows give the errors of no occlusion, of
+   hsao and of hsao with slabs; the columns weigh occlusion, detail, solid and slabs. The first table is for surveys
+   without slabs, the second for surveys with slabs. */
 static const float ssgi__plan_survey[2][3][4] = {
     { { 1.2f, 0.148f, 0, 0 }, { 0.0756f, 2.54f, 0, 0 }, { 0.0446f, 2.5f, 0, 0 } },
     { { 1.25f, 0, 0, 0.0169f }, { 0.0504f, 2.19f, 0, 1.04f }, { 0.0454f, 2.45f, 0, 0.0613f } }
 };
 
-/* The costs of splats and fields beside a choice's own, in software and on a GPU. */
+/* The costs of splats and fields in addition to a choice's own, in software and on a GPU. */
 static const struct {
-    float texel, surfel; /* per texel of splats and per surfel, over the frame's pixels */
-    float occluder;      /* per occluder that reaches all pixels */
+    float texel, surfel; /* cost of as many texels of splats, or surfels, as the frame has pixels */
+    float occluder;      /* cost of an occluder that reaches all pixels */
 } ssgi__plan_costs[2] = { { 0.173f, 21.3f, 0.75f }, { 0.105f, 7.6f, 0.3f } };
 
 SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)
@@ -4915,9 +4930,8 @@ static const float *ssgi__plan_energy(const ssgi_plan_scene *s)
     return s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
 }
 
-/* Writes the squared errors without occlusion, of hsao, and of hsao with slabs. They come from the calibration, else
-   from the survey, else from a guess. A calibration without slabs scales the error of slabs from the survey or the
-   guess. */
+/* Writes the squared errors of no occlusion, of hsao, and of hsao with slabs. They come from the calibration, else from
+   the survey, else from a guess. A calibration without slabs scales the error of slabs from the survey or the guess. */
 SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 {
     static const double guess[3] = { 0.02, 0.003, 0.003 };
@@ -4934,7 +4948,7 @@ SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
     for (int k = 0; k < (known[2] > 0.0 ? 3 : 2); ++k) square[k] = known[k] * known[k];
 }
 
-/* Writes the terms of a scene for a choice, whose size of surfels and bands some of them depend on. */
+/* Writes the terms of a scene for a choice: COARSE depends on its size of surfels. */
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const float *energy = ssgi__plan_energy(s);
@@ -4950,8 +4964,8 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
-/* Whether a choice serves scene->wanted, needs no part that the scene does not give, and would gain by the light's
-   directions if it knows them. */
+/* Whether a choice serves scene->wanted, needs nothing that the scene does not give, and gains enough by the light's
+   directions if it uses them. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int m = row->method;
@@ -4960,13 +4974,13 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
     if (m == SSGI_PLAN_METHOD_SSDO && !s->map) return 0;
     if (m == SSGI_PLAN_METHOD_DSS && !(s->surfels > 0.0)) return 0;
     if (m == SSGI_PLAN_METHOD_AOF && s->occluders < 1) return 0;
-    /* light from everywhere, or nearly so, has no direction: methods that know directions are taken to gain a tenth of
-       the uneven term */
+    /* if light comes nearly evenly from everywhere, its directions do not matter: methods that use them are assumed to
+       gain a tenth of the uneven term */
     return row->wanted != SSGI_PLAN_WANTED_LIGHT || (m != SSGI_PLAN_METHOD_S3HO && m != SSGI_PLAN_METHOD_SSDO)
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * (double)s->error;
 }
 
-/* Returns the texels of full size for one that a choice draws. */
+/* Returns the number of pixels at full resolution for each pixel that a choice draws. */
 SSGI__FN double ssgi__plan_drawn(const ssgi__plan_row *row)
 {
     return row->resolution == SSGI__PLAN_QUARTER ? 16.0 : row->resolution ? 4.0 : 1.0;
@@ -5014,15 +5028,15 @@ SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
     return SSGI_OK;
 }
 
-/* Appends a word without its 0 at the end. Returns the place behind it. */
+/* Appends a word without its terminating 0. Returns the place after it. */
 SSGI__FN char *ssgi__plan_word(char *at, const char *word)
 {
     while (*word) *at++ = *word++;
     return at;
 }
 
-/* Appends an error in 4 decimals, 9.9999 at most. Returns the place behind it. It does so by hand, as there is no
-   stdio.h here, and a locale would choose the decimal point. */
+/* Appends an error in 4 decimals, 9.9999 at most. Returns the place after it. It does not call snprintf: stdio.h is not
+   included here, and a locale would choose the decimal point. */
 SSGI__FN char *ssgi__plan_figure(char *at, float x)
 {
     const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
@@ -5059,12 +5073,12 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__THERE(plan);
     SSGI__TRY(ssgi__plan_bad(s, why));
     memset(&best, 0, sizeof best);
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the least error, or the one asked for */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the least error, or the one asked for if larger */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the cheapest within 5 % of it */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the cheapest choice within 5 % of the goal */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (p.error > 1.05f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.05f * s->error;
@@ -5098,7 +5112,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)fmin(sqrt(square), (double)SSGI_FAR);
     plan->cost = ssgi__plan_cost(row, s);
-    /* bands whose energy is negligible are left out; a band is taken to matter by 0.02 of its share of the energy */
+    /* bands whose energy is negligible are left out: leaving out a band is assumed to cost a squared error of 0.02 E
+       times its energy over that of band 0 */
     energy = ssgi__plan_energy(s);
     while (plan->bands > 1
            && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
@@ -5114,18 +5129,18 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 #endif
 #endif /* SSGI_IMPLEMENTATION */
 
-/* COMPATIBILITY From 1.0 on a minor version adds: sources still compile, names, units and meanings of zeros stay;
-   pixels may change. Before that a minor version may rename: its changes are listed here, old -> new.
+/* COMPATIBILITY From 1.0 on a minor version only adds: sources still compile; names, units and the meanings of zeros
+   stay; pixels may change. Before 1.0 a minor version may rename: its changes are listed here, old -> new.
    Binaries: structs grow and their members move between minor versions, so compile the implementation and all that call
-   it with the same headers; SSGI_VERSION tells which. Of one version every struct of ssgi_gl_desc is made of ints (and
-   two pointers), enumerations are ints by every compiler (SSGI_FORCE), and the block ssgi_frame is the same bytes on
-   every platform. A stored field (ssgi_field_save) names its format, and another format is refused by name. Keys of
-   texts (ssgi_gl_key) and numbers of passes hold for one version: store neither.
+   it with the same headers; SSGI_VERSION tells which. Within one version every struct of ssgi_gl_desc is made of ints
+   (and two pointers), enumerations are ints by every compiler (SSGI_FORCE), and the block ssgi_frame is the same bytes
+   on every platform. A stored field (ssgi_field_save) names its format, and ssgi_field_load refuses another format.
+   Keys of shaders (ssgi_gl_key) and numbers of passes hold for one version: store neither.
 
    CHANGES in 0.5, not released yet
-   "old -> new" stands in a line of its own; words behind it follow either: "desc. -> desc.gather. search" says that
-   desc.search has become desc.gather.search. awk and GNU sed apply the table where variables are named as here; a
-   compiler names the rest. For 0.4 write the two numbers that are less by one:
+   Each line "old -> new" is a renaming. If words follow, each is appended to both sides: "desc. -> desc.gather. search"
+   says that desc.search has become desc.gather.search. awk and GNU sed apply the table to variables that are named as
+   here; a compiler reports the rest. To apply the table of 0.4, write 0.4 and 0.3 instead of 0.5 and 0.4:
 
       awk '/^   CHANGES in 0.5/ { on = 1 } /^   CHANGES in 0.4/ { exit }
            on && $2 == "->" { if (NF == 3) $4 = ""
@@ -5136,6 +5151,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    SSGI_GL_HALF_FIRST -> SSGI_GL_RESOLUTION_HALF
    SSGI_GL_HALF_IN_TURN -> SSGI_GL_RESOLUTION_HALF_IN_TURN
    SSGI_GL_HALF_ -> SSGI_GL_RESOLUTION_  QUARTER QUARTER_IN_TURN
+   SSGI_GL_SIZE_ -> SSGI_GL_SCALE_  FULL HALF LEVELS TILES QUARTER
    SSGI_GL_TERMS_ -> SSGI_GL_MARCH_TERMS_  BOTH HORIZON NORMAL RAYS
    SSGI_GL_PASS_FIELD -> SSGI_GL_PASS_AOF
    SSGI_GL_PASS_SPLAT -> SSGI_GL_PASS_DSS
@@ -5157,6 +5173,11 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    desc.light.dimmed -> desc.light.occluded_emitters
    desc.light.lights -> desc.light.harmonic_lights
    desc.text. -> desc.shader.  dialect lines version fetch
+   step.size -> step.scale
+   output.slices -> output.layers
+   output.slice -> output.layer
+   frame.slice -> frame.layer
+   u_ssgi_slice -> u_ssgi_layer
    frame.history -> frame.history_frames
    u_ssgi_history -> u_ssgi_history_frames
    plan.resolution -> plan.field_resolution
@@ -5168,16 +5189,16 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    By hand: with SSGI_GL_SEARCH_MARCH desc.gather.directions keeps its name, and so does desc.gather.samples in pass
    LIGHTS, where it counts the points on a segment. In JavaScript Ssgi.text is now Ssgi.shader.
 
-   An orthographic eye may stand anywhere. Inside the shaders depth begins at the near plane where that lies behind the
-   eye or is far away: frame.decode[3] is the view depth of that place, and ssgi_decode returns your own depth, as
-   before. ssgi_view_depth is below 0 for what lies behind an orthographic eye. In the texture of pass thickness an
-   orthographic camera has whole floats.
+   An orthographic eye may stand anywhere. If the near plane lies behind the eye or is far away, depth inside the
+   shaders begins at the near plane: frame.decode[3] is its view depth, and ssgi_decode returns your own depth, as
+   before. ssgi_view_depth is below 0 for points behind an orthographic eye. With an orthographic camera the texture of
+   pass thickness holds 32-bit floats.
 
    A file that defines SSGI_GL_IMPLEMENTATION alone does not compile: define SSGI_IMPLEMENTATION, too, or
-   SSGI_IMPLEMENTED_ELSEWHERE where another file has ssgi.h's code. ssgi_gl_frame_history, _views_set, _light_map and
+   SSGI_IMPLEMENTED_ELSEWHERE if another file has ssgi.h's code. ssgi_gl_frame_history, _views_set, _light_map and
    _harmonics_set refuse matrices that are not rigid, ssgi_gl_sent_set suns whose min_distance is not a number of rows
-   that follow, ssgi_field_load a covered share beyond 0..1. With desc.filter.onto no output is a result. Textures of
-   yours that are as large as the picture tell their size, in steps of virtual point lights, too.
+   that follow, ssgi_field_load a covered share beyond 0..1. With desc.filter.onto ssgi_gl_output.result is NONE for
+   every output. Steps of virtual point lights, too, tell the size of your textures that must be as large as the frame.
    New: SSGI_GL_MAX_STEPS. desc.shader.compute: passes that write whole pictures as compute shaders:
    SSGI_GL_STAGE_COMPUTE, ssgi_gl_step.groups, ssgi_gl_output.set and .binding, and desc.shader.output_set,
    .group_width, .group_height.
@@ -5185,18 +5206,18 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 
    Methods have names: ssgi_gl_method_at lists them, ssgi_gl_chain_of fills a chain by a name and FIELD=VALUE behind it,
    ssgi_gl_frame_of sets the frame's values that suit a chain, ssgi_gl_steps_of does all of it. The fields of
-   ssgi_gl_desc stand by who sets them (ssgi_gl_choice.kind), in another order than in 0.4. ssgi_gl_resolve gives 0 to
-   each field that the pass does not look at. ssgi_gl_steps refuses choices of a chain that are out of their limits
+   ssgi_gl_desc are ordered by who sets them (ssgi_gl_choice.kind), not as in 0.4. ssgi_gl_resolve gives 0 to each field
+   that the pass does not look at. ssgi_gl_steps refuses choices of a chain that are out of their limits
    (ssgi_gl_chain_choice_at). The names of tools follow: of build/glsl-text --chain and make cost "hsao-slabs" is now
    "hsao,thickness=slabs", "ssdo" has a bounce ("ssdo,bounce=none" has not), as build/render has had it; so it is with
    "s3ho" ("s3ho,transfer=direct,packed_coefficients=0,restore=ratio"). PASS,PRESET is NAME,PRESET: "dss,best", not
    "splat,best".
 
    New fields: gather.facets seeks occluders above the facets that depth shows, where smooth normals on coarse meshes
-   or normal maps make facets darken themselves, while light and filters keep your normals; gather.lift has slices lift
-   receivers by frame.offset, for clouds of points, whose splats' edges are walls otherwise. light.one_sided: what is
-   not seen of emitters sends nothing, where their other side sends 0.35 of their radiance; light.clamp: none sends
-   more luminance than frame.sent, against fireflies. All are 0 by default.
+   or normal maps make facets darken themselves, while light and filters keep your normals. With gather.lift slices lift
+   receivers by frame.offset: the edges of splats in clouds of points would else occlude like walls. With
+   light.one_sided the unseen side of an emitter sends nothing; without it, that side sends 0.35 of the emitter's
+   radiance. With light.clamp no emitter sends more luminance than frame.sent, against fireflies. All are 0 by default.
 
    desc.shader.uniforms LOOSE declares a uniform for each value of the frame, for engines that have no uniform blocks
    and set values by name (Ogre, Cesium, bgfx, Irrlicht).
@@ -5205,27 +5226,27 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    desc.shader.dense bindings have no gaps: for SDL_GPU, and engines that have sets of their own. ssgi_gl_io.set and
    .binding, ssgi_gl_input.set and .binding tell them.
 
-   Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST has that filter, too, as
-   have methods s3ho and s3ho-fast. From half size a filter of radius 2 is a tent of 5.5 pixels that goes without its
-   corners. Set filter.radius = 1 and gather.samples = 6 for what 0.4 drew. With chain.history radius 1 suffices, as
-   hsao-history has it. Pass thickness reads no normals.
+   Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST and the methods s3ho and
+   s3ho-fast have that filter, too. After a gather at half resolution a filter of radius 2 is a tent of 5.5 pixels
+   without its corners. Set filter.radius = 1 and gather.samples = 6 for what 0.4 drew. With chain.history radius 1
+   suffices, as hsao-history has it. Pass thickness reads no normals.
 
-   GLSL has whole words instead of letters, and one quantity a line: shaders compute what they did. Where your own GLSL
-   reads coefficients, ssgi_coefficients.c is now .channel, and the members a to d of ssgi_sh are word0 to word3. Your
+   GLSL has whole words instead of letters, and one quantity a line: shaders compute what they did. If your own GLSL
+   reads coefficients: ssgi_coefficients.c is now .channel, and the members a to d of ssgi_sh are word0 to word3. Your
    fetch code is called as before.
 
    Tools: files of make glsl are named by field and word (hsao.450.thickness-slabs.frag), make glsl-in is gone, and no
    tool counts fetches in GLSL any more: make cost counts what a compiler makes of it.
 
-   Mended: rays passed between triangles where multiply and add are fused, past long edges from close by, and through
-   triangles that they meet along their plane. A bad count of lights, occluders or levels could keep a GPU busy for
-   seconds: texts count to the rows that the textures have. Numbers that are not finite were taken for finite by some
+   Corrected: rays passed between triangles if multiply and add were fused, past long edges from close by, and through
+   triangles that they met along their plane. A wrong count of lights, occluders or levels could keep a GPU busy for
+   seconds: shaders now stop at the last row of the texture. Numbers that are not finite were taken for finite by some
    compilers with -ffast-math. Colours of surfels that are not finite count as 0. Shaders divided by 0 in the hull of a
    field that reaches no farther, and for directions of your own along the horizon (bounce PATCH, uniform_directions).
 
    CHANGES in 0.4, November 2026
-   Names are the field's, once each. Enumerators name their group. ssgi_gl_desc has groups, and its enumerations are
-   types: an enumerator of another group is a warning in C and an error in C++. A desc of zeros still means every
+   Each thing has one name, the field's own. Enumerators name their group. ssgi_gl_desc has groups, and its enumerations
+   are types: an enumerator of another group is a warning in C and an error in C++. A desc of zeros still means every
    default.
 
    SSGI_GL_ -> SSGI_GL_DIALECT_  300ES 310ES 320ES 330 410 450 VULKAN
@@ -5287,68 +5308,68 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    desc. -> desc.text.  dialect lines version fetch
 
    By hand: desc.hard = 1 -> desc.gather.falloff = SSGI_GL_FALLOFF_NONE, which points refuse. desc.half has words: NONE,
-   FIRST and IN_TURN for 0, 1 and 2. Out parameters come first, now of ssgi_view_position, _view_project,
-   _extra_displacement, _r2, _octahedral_encode, _octahedral_decode, _trace_closest and _field_cap, too. New:
+   FIRST and IN_TURN for 0, 1 and 2. Out parameters come first, now also in ssgi_view_position, _view_project,
+   _extra_displacement, _r2, _octahedral_encode, _octahedral_decode, _trace_closest and _field_cap. New:
    ssgi_gl_choice.field, "gather.steps", as sentences name it.
 
-   Pictures of slices: thickness WIDTH is half as much where a probe found the end of a surface; surfaces that steps
-   miss and those beyond the picture are expected to occlude a little; the filter lets less across edges of a hundredth
-   of the radius. NVIDIA's compiler for GL lost a sign in them: they came out too bright there. View depths of 1 /
-   SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing in front of the
-   camera, ssgi_gl_plan an unknown thickness. To ssgi_gl_sent_set a radiance of 1e-30 or less is nothing. Without
-   desc.surfel.span SPLAT by LIGHT lights its surfels by the environment, as hidden_sky does: no other step sent its
-   light. Lights of one band bring a quarter to every normal, not all (ssgi_sh_light, desc.light.lights): a bounce of
-   them was four times too bright. desc.light.residual holds for desc.light.lights by bent normals and cones, too. The
-   plan's costs of a GPU are modelled from its compiler's instructions.
+   Pictures by slices change: thickness WIDTH is half as much if a probe found the end of the surface; surfaces between
+   samples and beyond the picture are expected to occlude a little; the filter averages less across edges as high as a
+   hundredth of the radius. NVIDIA's compiler for GL lost a sign in slices, which came out too bright there. View depths
+   of 1 / SSGI_FAR or less are background. ssgi_view_from_projection refuses a projection that shows nothing in front of
+   the camera, ssgi_gl_plan an unknown thickness. ssgi_gl_sent_set takes a radiance of 1e-30 or less for 0. Without
+   desc.surfel.span SPLAT with EFFECT_LIGHT lights its surfels by the environment, as hidden_sky does: no other step
+   sent that light. With one band lights give every normal a quarter of their irradiance, not all of it (ssgi_sh_light,
+   desc.light.lights): their bounce was four times too bright. desc.light.residual works for desc.light.lights with bent
+   normals and cones, too. The plan's costs of a GPU are modelled from its compiler's instructions.
 
-   Presets of slices are cheaper: hsao FAST 1x10 of thickness CONSTANT, BALANCED 2x8, BEST 2x7; ssdo and s3ho 1x5, 2x9,
-   full 2x9. FAST sets thickness CONSTANT where it is DEFAULT, the others DEFAULT where it is CONSTANT. Plans may choose
+   Presets of slices are cheaper: hsao FAST 1x10 with thickness CONSTANT, BALANCED 2x8, BEST 2x7; ssdo and s3ho 1x5,
+   2x9, full 2x9. FAST sets thickness CONSTANT if it is DEFAULT, the others DEFAULT if it is CONSTANT. Plans may choose
    thickness CONSTANT, no longer SOLID; plan_scene.device RX_6800 has costs in milliseconds; plan_scene.albedo, which no
    prediction read, is gone. New: desc.light.bounced and ssgi_gl_chain.bounced, for further bounces.
 
-   History goes on where the size changes: ssgi_gl_frame_history takes a view of any size, frame.last_size and
-   .last_footprint tell texts. ssgi_gl_frame_time counts it in seconds (frame.pace); frame.jitter keeps the
-   average sharp where the projection trembles for TAA. ssgi_gl_frame has 32 bytes more.
+   History goes on if the size changes: ssgi_gl_frame_history takes a view of any size, and frame.last_size and
+   .last_footprint tell the shaders. ssgi_gl_frame_time counts history in seconds (frame.pace); frame.jitter keeps the
+   average sharp if the projection is jittered for TAA. ssgi_gl_frame has 32 bytes more.
 
-   New: ssgi_gl_read, functions by which shaders that light a surface read a result, in place of the filter's pass;
+   New: ssgi_gl_read, functions by which shaders that light a surface read a result, instead of the filter's pass;
    desc.gather.half QUARTER (the last 4 bits of ssgi_gl_phase are the frame's number now); frame.strength;
    ssgi_gl_chain.rgba8; room >>reflection (ssgi_interreflected, ssgi_specular_visibility), and ssgi_gl_reflection.
 
-   Surfels heed desc.gather.half, by which they cost a quarter, and a chain with blur = 1 filters them; they have
-   presets. Their slices near by heed desc.gather too, 2x8 and thickness WIDTH where it names nothing else. Defaults:
-   size 0.03, not 0.015; epsilon 0.3, not 0.1 (SCATTER wants 0.02); 4 levels, not 5 (SCATTER wants 7). Texts work out
-   the size of a level: ssgi_gl_surfels_set has no argument `levels`, and ssgi_gl_frame, which is 16 bytes shorter, no
-   `level`. New: ssgi_splat.part, .two_sided; ssgi_splat_levels. plan_scene.surfels and .splats count surfels of size
-   0.03, and plans of surfels are the presets. A field's rays are fewer the farther out they begin,
-   and 96 at the hull, not 128.
+   DSS follows desc.gather.half, which saves three quarters of its cost, and a chain with blur = 1 filters its result;
+   it has presets. Its slices for near surfaces follow desc.gather, too: by default 2x8 and thickness WIDTH. Defaults:
+   size 0.03, not 0.015; epsilon 0.3, not 0.1 (SCATTER wants 0.02); 4 levels, not 5 (SCATTER wants 7). Shaders compute
+   the size of a level: ssgi_gl_surfels_set has no argument `levels`, and ssgi_gl_frame, which is 16 bytes shorter, has
+   no `level`. New: ssgi_splat.part, .two_sided; ssgi_splat_levels. plan_scene.surfels and .splats count surfels of size
+   0.03, and plans of surfels are the presets. Fields are baked with fewer rays for points farther out, and with 96
+   instead of 128 at the hull.
 
    CHANGES in 0.3, November 2026
    Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->
-   .thickness; functions in the GLSL, which has words in whole.
-   New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps takes for slices by itself (DEFAULT, the new 0). With
-   BACK and SLABS slices need that pass, too: what has no back face is as thick as wide, and sheets half as thick,
+   .thickness; functions in the GLSL, which has whole words.
+   New: pass WIDTH and desc.thickness WIDTH, which ssgi_gl_steps chooses for slices (DEFAULT, the new 0). With BACK and
+   SLABS slices need that pass, too: a surface without a back face is as thick as wide, and sheets half as thick,
    instead of frame.thickness.
-   SSGI_PLAN_CONSTANT -> SSGI_PLAN_WIDTH: plans are for what chains draw by default. Presets of slices: FAST 1x6,
-   BALANCED half 2x10. From half size the tap closest to the plane counts most. desc.shadow FILL lifts its segments
-   twice: it darkened creases. The march's horizon reads desc.layers and desc.views.
-   Pass history filters, too, and averages at full size: it takes blur's place, and chain.history needs blur. Its
+   SSGI_PLAN_CONSTANT -> SSGI_PLAN_WIDTH: plans are for the default of chains. Presets of slices: FAST 1x6, BALANCED
+   half 2x10. After a gather at half resolution the sample closest to the plane counts most. desc.shadow FILL lifts its
+   segments twice: it darkened creases. The march's horizon reads desc.layers and desc.views.
+   Pass history filters, too, and averages at full resolution: it replaces blur, and chain.history needs chain.blur. Its
    o_ssgi_ao has four channels; with desc.restore o_ssgi_history is kept instead of o_ssgi_light; o_ssgi_means has two.
    Passes changes and nearby stand before it, which ssgi_gl_steps adds; they draw at an eighth of the size (SIZE_TILES).
    desc.half 2: each pixel of 2x2 in turn, by the last bits of ssgi_gl_phase, which is another sequence.
-   ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
+   ssgi_gl_steps refuses a chain that it cannot draw, and names the field; setters refuse NaN and infinity.
    New, the papers' maths: room >>bias (ssgi_normal_offset, ssgi_shadow_patch, ssgi_shadow_bias, ssgi_radius_guess; 0.1
    had them with other arguments), room >>tessellate (ssgi_tess_count, _points, _level, _radius), room >>cap
    (ssgi_cap_occlusion in doubles, ssgi_cap_table, ssgi_cap_light); ssgi_directions, ssgi_noise_tile, ssgi_vpl_area,
    ssgi_trace_visibility; ssgi_surfel_radius, _form_factor, _reach, _shell; ssgi_field_desc.sample, .unfiltered.
-   New, what they publish, as choices: desc.terms and .spheres of the march, .uniform of points, .dimmed of s3ho,
+   New choices, as the papers publish them: desc.terms and .spheres of the march, .uniform of points, .dimmed of s3ho,
    .cap_table, surfels' .overhang (also of surfel_desc), .enlarge, .combine; .effect and .harmonics CUSTOM, functions in
    desc.fetch.
    New, for Vulkan and WebGPU: formats' names in ssgi_gl_format, bindings and kinds of views in ssgi_gl_input; in
    SSGI_GL_VULKAN directions, steps and samples are specialisation constants. ssgi_gl_bound.magnify: _step_check names
    textures of integers that GL's default filter makes incomplete.
-   History reads the last frame between four texels and is not set off by a camera that moves; means.w is 0. The unseen
-   side of a sender sends 0.35, not 0.25. The plan's table is fitted on scenes by seed.
+   History interpolates the last frame between four texels, and a camera that moves does not disturb it; means.w is 0.
+   The unseen side of a sender sends 0.35 of its radiance, not 0.25. The plan's table is fitted on scenes by seed.
 
    CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more

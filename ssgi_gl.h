@@ -4,7 +4,7 @@
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
                                         #define SSGI_GL_IMPLEMENTATION
                                         #include "ssgi_gl.h"
-   and include it plainly elsewhere. Where another file implements ssgi.h, define SSGI_IMPLEMENTED_ELSEWHERE in place of
+   and include it plainly elsewhere. If another file implements ssgi.h, define SSGI_IMPLEMENTED_ELSEWHERE instead of
    SSGI_IMPLEMENTATION.
 
    QUICK USE  of one pass alone, by ssgi_gl_emit and ssgi_gl_reflect (compiled and run by tests/test_build.c)
@@ -46,11 +46,11 @@
       projection   take the one that depth was drawn with: some engines (OpenSceneGraph) move its near and far planes,
                    and their getter does not return the result. For left-handed projections see
                    ssgi_view_from_projection (ssgi.h)
-      order        opaque things first, as depth and normals are read; then these draws; then fog and transparent
-                   things, then TAA (frame.jitter). Things that shall neither occlude nor receive, as weapons in hands,
-                   sprites and liquids, are drawn after depth has been read. In forward rendering a pass of depth and
-                   normals comes first, and shaders of things that receive call the functions of ssgi_gl_read, those of
-                   glass, too
+      order        draw opaque things first, since their depth and normals are read; then these draws; then fog and
+                   transparent things, then TAA (frame.jitter). Things that shall neither occlude nor be occluded
+                   (weapons in hands, sprites, liquids) are drawn after depth has been read. In forward rendering draw
+                   depth and normals first; the shaders of things that are occluded, glass included, then call the
+                   functions of ssgi_gl_read
       This header calls no GL.
 
    PASSES       ssao          ambient visibility from point samples in the hemisphere [SA07]
@@ -94,23 +94,23 @@
 
    WHICH PASSES ARE DRAWN, IN WHICH ORDER, INTO WHICH TEXTURES is data: ssgi_gl_steps (>>steps; a loop:
    examples/minimal.c). This is left to you:
-      lights       you draw the shadow maps that desc.light.shadow MAP and FILL read; of lights without a map
-                   desc.light.shadow tells
-      s3ho         with chain.coefficients the filtered coefficients hold while camera and geometry stay: where the
-                   light alone changed, draw only the steps from shade on
+      lights       you draw the shadow maps that desc.light.shadow MAP and FILL read; desc.light.shadow says what
+                   happens to lights without a map
+      s3ho         with chain.coefficients the filtered coefficients stay valid while camera and geometry stay: if only
+                   the light changed, draw only the steps from shade on
       aof          each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). The result is not filtered. Forward
                    shaders call the function that ssgi_gl_field writes
       history      each frame set frame.phase = ssgi_gl_phase(its number), and call ssgi_gl_frame_history except after a
-                   cut. Where the picture's size changes, the last frame's textures are read at their own
+                   cut. If the size of the image changes, the last frame's textures are read at their own size
       dss          surfels are made by ssgi_surfels on the CPU, or by pass surfels: transform feedback of its CAPTURE
                    rows, interleaved and with rasteriser discard on, writes ssgi_surfel[] (with at most two of radius 0
                    for each surfel that ssgi_surfels makes). Pass dss reads three vec4 attributes an instance, with
                    divisor 1. With tessellate either pass draws patches of 3 vertices in splits * splits instances, and
                    dss needs no buffer of surfels
 
-   ROOMS        search for ">>"
+   ROOMS        the sections of this file; search for ">>"
       >>desc       your choices and their limits
-      >>emit       a desc in, text out
+      >>emit       writes the shaders of a desc
       >>io         the inputs and outputs of a pass
       >>steps      the draws of a whole chain
       >>frame      the values of each frame; extra cameras, lights, occluders
@@ -120,14 +120,14 @@
       and the implementations of >>desc, >>emit, >>io, >>steps, >>frame
 
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its row in >>passes, its
-                outputs in >>rows. An accumulator: a member of ssgi_sums, a line where taps are added to it, an output
-                row, its field in >>desc. An input: a row. A shader reads the inputs that its functions name; no table
-                repeats them.
+                outputs in >>rows. An accumulator: a member of ssgi_sums, a line where samples are added to it, an
+                output row, its field in >>desc. An input: a row. A shader reads the inputs that its functions name; no
+                table repeats them.
 
    OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect return all names, limits and offsets; the repository's
                        make glsl writes them beside the shaders (manifest.json), make wasm serves JavaScript. cffi takes
                        the output of gcc -E -P '-D__attribute__(x)='; bindgen -- --target=x86_64-pc-windows-msvc
-                       -ffreestanding gives constants the type of the fields. In Python, whose keyword pass is, write
+                       -ffreestanding gives constants the type of the fields. In Python, where pass is a keyword, write
                        setattr(desc, "pass", ..)
 
    NAMES IN THE TEXT   u_ssgi_* are uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* pass
@@ -177,24 +177,24 @@ typedef enum ssgi_gl_pass {
      bindings    the uniform blocks ssgi_frame and ssgi_views are at bindings 0 and 1 of set desc.shader.block_set, the
                  texture of unit u is at 2 + u of set desc.shader.texture_set, by default both 0; with desc.shader.dense
                  bindings have no gaps (ssgi_gl_io.set, .binding; ssgi_gl_input.set, .binding). A texture is a sampled
-                 image, fetched without a sampler, in the layout GENERAL or SHADER_READ_ONLY_OPTIMAL. Its view is of an
-                 array where ssgi_gl_input.array says so, even of one slice, as that of emitters. With
+                 image, fetched without a sampler, in the layout GENERAL or SHADER_READ_ONLY_OPTIMAL. Its view is an
+                 array view if ssgi_gl_input.array is 1, even with one layer (the texture of emitters). With
                  desc.shader.compute output k is at 18 + k of set desc.shader.output_set. Bindings from 24 on and other
                  sets are yours. Depth is viewed by its depth aspect alone
      formats     ssgi_gl_format has Vulkan's and WebGPU's names
      counts      constants that ssgi_gl_reflect gives an offset other than 0 are specialisation constants of that id
-                 (WGSL: overrides): other slices, directions and samples need no other shader
+                 (WGSL: overrides), so that other numbers of slices, directions and samples need no other shader
      rows        viewport heights are positive. Give ssgi_view_from_projection SSGI_CLIP_ZERO and Vulkan's own matrix,
-                 whose y points down: row 0 is at NDC y = -1. If the scene has row 0 at 1 (drawn with a negative
+                 whose y points down: row 0 is at NDC y = -1. If the scene is drawn with row 0 at y = 1 (with a negative
                  height, or by D3D, Metal or WebGPU), add SSGI_CLIP_ROWS_DOWN; in D3D, Metal and WebGPU also
-                 negate gl_Position.y in the vertex stages of aof and dss, as make glsl WGSL=1 does. Noise follows
-                 rows: a picture whose rows run the other way differs from GL's by its noise
+                 negate gl_Position.y in the vertex stages of aof and dss, as make glsl WGSL=1 does. Noise depends on
+                 the row: an image whose rows run the other way has other noise than GL's
      blending    ssgi_gl_step.blend has GL's numbers. FUNC_ADD and FUNC_REVERSE_SUBTRACT are VK_BLEND_OP_ADD and
                  VK_BLEND_OP_REVERSE_SUBTRACT; ZERO, ONE, DST_COLOR are VK_BLEND_FACTOR_ZERO, _ONE, _DST_COLOR. WebGPU
                  blends 32-bit floats only with the feature float32-blendable
      views       the image begins at frame.target in the textures that passes write, and at frame.origin in your
-                 textures, as a viewport of an atlas does. ssgi_gl_output.slices is the number of layers of a target;
-                 .slice is the layer that is drawn into, by a 2D view of it */
+                 textures, as a viewport of an atlas does. ssgi_gl_output.layers is the number of layers of a target;
+                 .layer is the layer that is drawn into, by a 2D view of it */
 typedef enum ssgi_gl_dialect {
     SSGI_GL_DIALECT_330 = 0,
     SSGI_GL_DIALECT_410,
@@ -209,27 +209,28 @@ typedef enum ssgi_gl_dialect {
 
 /* desc.shader.uniforms: how a shader declares the values of the frame.
      BLOCK    uniform blocks: ssgi_frame is ssgi_gl_frame byte for byte, ssgi_views is ssgi_gl_views
-     LOOSE    a uniform of its own for each member that the stage reads, for engines that set uniforms by name and have
-              no blocks: "uniform float u_ssgi_radius;". Before each step set those of ssgi_gl_reflect's rows of kind
-              PARAM: a row's type has the size of an array ("vec4[12]"); its value lies at row.offset in the step's
-              ssgi_gl_frame where row.slot is 0, in ssgi_gl_views where it is 1. There a mat3 has 3 columns of 4 floats,
-              all else is tight. Programs keep such values: steps of equal shaders have one program, and may have other
-              frames (ssgi_gl_step.frame). Not in VULKAN */
+     LOOSE    a uniform for each member that the stage reads ("uniform float u_ssgi_radius;"), for engines that set
+              uniforms by name and have no blocks. Before each step set the uniforms that ssgi_gl_reflect lists with
+              kind PARAM: a program keeps its values, and steps with equal shaders share a program but may have
+              different frames (ssgi_gl_step.frame). A row's type includes the size of an array ("vec4[12]"). Its value
+              lies at row.offset in the step's ssgi_gl_frame if row.slot is 0, in ssgi_gl_views if it is 1; there a mat3
+              has 3 columns of 4 floats, all else is tightly packed. Not in VULKAN */
 typedef enum ssgi_gl_uniforms {
     SSGI_GL_UNIFORMS_BLOCK = 0,
     SSGI_GL_UNIFORMS_LOOSE,
     SSGI_GL_UNIFORMS_FORCE = SSGI_FORCE
 } ssgi_gl_uniforms;
 
-/* desc.shader.compute: what writes the picture of a pass. With a compute stage it has no other stage: its outputs
-   are storage images of their names, and ssgi_gl_step.groups says how many groups of invocations to dispatch. It writes
-   the same texels and tests whether an invocation lies in the image. 450, 310ES, 320ES and VULKAN have it, for passes
-   that neither draw geometry nor leave texels out nor blend: not aof, surfels, dss, deinterleave, smooth and compose,
-   and without desc.filter.onto. The 6 images of packed coefficients of three sets are not in 310ES and 320ES, which
-   promise 4 (GL_MAX_COMPUTE_IMAGE_UNIFORMS); Vulkan and WebGPU promise 4, too, but most devices have more
-   (maxPerStageDescriptorStorageImages, maxStorageTexturesPerShaderStage). Wait for the images between steps, in GL by
+/* desc.shader.compute: whether a fragment or a compute stage writes the image of a pass. A pass with a compute stage
+   has no other stage: its outputs are storage images of the same names, and ssgi_gl_step.groups says how many groups to
+   dispatch. The stage writes the same texels; it tests itself whether an invocation lies in the image. 450, 310ES,
+   320ES and VULKAN have it, for passes that neither draw geometry nor leave texels out nor blend: not aof, surfels,
+   dss, deinterleave, smooth and compose, and without desc.filter.onto. 310ES and 320ES promise 4 images
+   (GL_MAX_COMPUTE_IMAGE_UNIFORMS) and refuse the 6 of three sets of packed coefficients; Vulkan and WebGPU promise 4,
+   too, but most devices have more (maxPerStageDescriptorStorageImages, maxStorageTexturesPerShaderStage). Wait for the
+   images between steps, in GL by
    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT).
-     ALL      formats as in targets. In Vulkan they need the feature shaderStorageImageExtendedFormats
+     ALL      the formats of render targets. In Vulkan they need the feature shaderStorageImageExtendedFormats
      BASIC    formats that each Vulkan device and WebGPU can store, which GLES always has: RGBA8 instead of R8, R32F
               instead of R16F, four channels instead of two */
 typedef enum ssgi_gl_compute {
@@ -253,11 +254,11 @@ enum {
 /* desc.input.depth: the content of the depth texture. Layer 0 of CUSTOM is the visible surface. */
 typedef enum ssgi_gl_depth {
     SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
-    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background. Where the near plane of
-                                 an orthographic camera is at the eye or behind it, view depth may be negative: then 0,
-                                 and what lies in front of the near plane, is background */
-    SSGI_GL_DEPTH_CUSTOM,     /* desc.shader.fetch: float ssgi_custom_depth(ivec2 texel, int layer) returns what LINEAR
-                                 holds; may call ssgi_decode */
+    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; 1e-18 or less, inf or NaN is background. If the near plane of an
+                                 orthographic camera is at or behind the eye, view depth may be negative: then 0 and
+                                 depths in front of the near plane are background */
+    SSGI_GL_DEPTH_CUSTOM,     /* desc.shader.fetch: float ssgi_custom_depth(ivec2 texel, int layer) returns depth as
+                                 LINEAR holds it; it may call ssgi_decode */
     SSGI_GL_DEPTH_FORCE = SSGI_FORCE
 } ssgi_gl_depth;
 
@@ -287,9 +288,9 @@ typedef enum ssgi_gl_search {
     SSGI_GL_SEARCH_FORCE = SSGI_FORCE
 } ssgi_gl_search;
 
-/* desc.gather.march_terms: the terms of the march that count. All but RAYS seek the horizon: with desc.gather.layers or
-   desc.gather.views that of their solids; otherwise visible surfaces have no far side, whatever desc.gather.thickness
-   is. With NORMAL and RAYS normal_rays 0 means 1. */
+/* desc.gather.march_terms: the terms of the march that count. All but RAYS seek the horizon. With desc.gather.layers or
+   desc.gather.views it is the horizon of their solids; else visible surfaces count as infinitely thick, whatever
+   desc.gather.thickness is. With NORMAL and RAYS a normal_rays of 0 means 1. */
 typedef enum ssgi_gl_march_terms {
     SSGI_GL_MARCH_TERMS_BOTH = 0, /* occlusion below the horizon in closed form, and above it by normal_rays rays */
     SSGI_GL_MARCH_TERMS_HORIZON,  /* below the horizon alone, as with normal_rays 0 [HSAO08 fig. 10a] */
@@ -299,19 +300,19 @@ typedef enum ssgi_gl_march_terms {
 } ssgi_gl_march_terms;
 
 /* desc.gather.thickness: how far visible surfaces reach, away from the viewer.
-     pass thickness      writes thickness and view depth, which slices read with WIDTH, BACK and SLABS, the others with
-                     WIDTH, by one fetch instead of t_ssgi_depth's. ssgi_gl_steps draws it once a frame, with the
-                     largest thickness of chain.desc and chain.lights. Without ssgi_gl_steps draw it first, with the
-                     reader's desc except for the pass
+     pass thickness      writes thickness and view depth into one texture. Slices read it with WIDTH, BACK and SLABS,
+                         other searches with WIDTH, instead of t_ssgi_depth: still one fetch a sample. ssgi_gl_steps
+                         draws it once a frame, with the largest thickness of chain.desc and chain.lights. Without
+                         ssgi_gl_steps draw it first, with the desc of the pass that reads it, but desc.pass THICKNESS
      slices          BACK, SLABS: a surface without a back face is as thick as with WIDTH; a sheet, which is its own
-                     back face, half as thick. SLABS: the second slab is fetched from t_ssgi_back. All three are at
-                     least as thick as 0.02 radii and the spacing of the taps
+                     back face, half as thick. SLABS: the second slab is fetched from t_ssgi_back. With all three a
+                     surface is at least as thick as 0.02 radii and as the spacing of the samples
      points, march   BACK, SLABS: both slabs are fetched from t_ssgi_back. A surface without a back face, and a sheet,
                      is as thick as frame.thickness_limit, since points would step over thinner ones */
 typedef enum ssgi_gl_thickness {
     SSGI_GL_THICKNESS_DEFAULT = 0, /* ssgi_gl_steps with hsao, ssdo, s3ho by slices: WIDTH; all else: CONSTANT */
     SSGI_GL_THICKNESS_CONSTANT,    /* frame.thickness_limit */
-    SSGI_GL_THICKNESS_SOLID,       /* without end */
+    SSGI_GL_THICKNESS_SOLID,       /* surfaces are infinitely thick */
     SSGI_GL_THICKNESS_WIDTH,       /* a surface is as thick as it is wide in the picture, at most frame.thickness_limit
                                       and the radius */
     SSGI_GL_THICKNESS_BACK,        /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
@@ -320,18 +321,19 @@ typedef enum ssgi_gl_thickness {
     SSGI_GL_THICKNESS_FORCE = SSGI_FORCE
 } ssgi_gl_thickness;
 
-/* desc.gather.falloff: an occluder's weight over its distance t: slices multiply by it, points are spread by it. */
+/* desc.gather.falloff: an occluder's weight as a function of its distance t. Slices multiply by it; points are
+   distributed by it. */
 typedef enum ssgi_gl_falloff {
     SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
     SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: needed by a bounce that restores the light that virtual point
                                    lights lose to their clamp (ssgi_gl_light.min_distance = radius) */
     SSGI_GL_FALLOFF_NONE,       /* 1 up to the radius: each surface within it occludes fully. hsao, dss; ssdo and s3ho
-                                   by slices; points cannot be spread so */
+                                   by slices; points cannot be distributed so */
     SSGI_GL_FALLOFF_FORCE = SSGI_FORCE
 } ssgi_gl_falloff;
 
-/* desc.gather.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer holds at a
-   sample. */
+/* desc.gather.fade: an occluder's weight as a function of d: the distance, in radii, of the surface that the depth
+   buffer holds at a sample. */
 typedef enum ssgi_gl_fade {
     SSGI_GL_FADE_NONE = 0,
     SSGI_GL_FADE_SMOOTH, /* falls from 1 at frame.fade to 0 at the radius */
@@ -342,15 +344,15 @@ typedef enum ssgi_gl_fade {
 /* desc.light.environment: the source of the environment's light. */
 typedef enum ssgi_gl_environment {
     SSGI_GL_ENVIRONMENT_NONE = 0,
-    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: light of all directions at the cost of the visibility alone */
+    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: the light of all directions costs no more than the visibility */
     SSGI_GL_ENVIRONMENT_MAP, /* a texture in world space, read once a direction: ssgi_environment_map */
     SSGI_GL_ENVIRONMENT_FORCE = SSGI_FORCE
 } ssgi_gl_environment;
 
-/* desc.light.bounce: how the light that an occluded direction sends is estimated. */
+/* desc.light.bounce: how the light that comes from an occluded direction is estimated. */
 typedef enum ssgi_gl_bounce {
     SSGI_GL_BOUNCE_NONE = 0,
-    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the emitter's radiance over the sample's solid angle: never above the emitter's */
+    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the emitter's radiance, over the sample's solid angle: never brighter than it */
     SSGI_GL_BOUNCE_PATCH,       /* the paper's own: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
     SSGI_GL_BOUNCE_FORCE = SSGI_FORCE
 } ssgi_gl_bounce;
@@ -359,8 +361,8 @@ typedef enum ssgi_gl_bounce {
 typedef enum ssgi_gl_shadow {
     SSGI_GL_SHADOW_SEGMENT = 0, /* by points, in screen space, on the segment to the light, at most a radius long */
     SSGI_GL_SHADOW_MAP,         /* by your shadow maps, with a bias; lights without a map are unshadowed */
-    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over the length that the bias skips [SSDO09 5]; SEGMENT without a
-                                   map */
+    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over the length that the bias skips [SSDO09 5]; lights without a
+                                   map: SEGMENT */
     SSGI_GL_SHADOW_NONE,
     SSGI_GL_SHADOW_FORCE = SSGI_FORCE
 } ssgi_gl_shadow;
@@ -370,12 +372,12 @@ typedef enum ssgi_gl_radiance {
     SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times the light that ssdo, shade or lights wrote */
     SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
     SSGI_GL_RADIANCE_BOTH,      /* the sum of both */
-    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone, for s3ho, whose coefficients meet the light later */
+    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone, for s3ho: its coefficients are dotted with light later */
     SSGI_GL_RADIANCE_FORCE = SSGI_FORCE
 } ssgi_gl_radiance;
 
-/* desc.light.transfer: the light that the coefficients of s3ho hold. From 3 bands on three sets take 6 targets (GLES
-   has 4). */
+/* desc.light.transfer: the light that the coefficients of s3ho hold. With 3 bands or more three sets need 6 targets
+   (GLES has only 4). */
 typedef enum ssgi_gl_transfer {
     SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
     SSGI_GL_TRANSFER_BOTH,       /* a set a channel: DIRECT, and unoccluded light reflected by occluders [S3HO12 2.3] */
@@ -387,9 +389,9 @@ typedef enum ssgi_gl_transfer {
 typedef enum ssgi_gl_harmonics {
     SSGI_GL_HARMONICS_FRAME = 0, /* frame.harmonics: the same everywhere */
     SSGI_GL_HARMONICS_CUSTOM, /* desc.shader.fetch: vec3 ssgi_custom_harmonic(int i, vec3 position) returns coefficient
-                                    i of the radiance, in the world, at a view-space position, as from a volume of
-                                    probes [S3HO12 1, 6]. It is called for each i once a pixel, where coefficients are
-                                    shaded or unoccluded light is restored */
+                                 i of the radiance, in the world, at a view-space position, as from a volume of probes
+                                 [S3HO12 1, 6]. It is called for each i once a pixel, if coefficients are shaded or
+                                 unoccluded light is restored */
     SSGI_GL_HARMONICS_FORCE = SSGI_FORCE
 } ssgi_gl_harmonics;
 
@@ -413,20 +415,20 @@ typedef enum ssgi_gl_objects {
 
 /* desc.surfel.effect: the effect of surfels on pixels. */
 typedef enum ssgi_gl_effect {
-    SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius, or with falloff
-                                     NONE by 1 */
-    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less the environment's light that surfels occlude */
+    SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility: surfels within frame.radius occlude with a weight of 1 -
+                                     distance/radius, or of 1 with falloff NONE */
+    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi minus the environment's light that surfels occlude */
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
-    SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. No
-                                     slices see nearby surfaces, so that the defaults are too coarse: it wants
+    SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. It has
+                                     no slices for nearby surfaces, so that the defaults are too coarse: it wants
                                      SSGI_GL_PRESET_BEST, 5 levels, near_samples 4, frame.epsilon 0.1, and surfels of
                                      size 0.015. In a Cornell box, exponent 8, its error is then 0.73 of the mean light;
-                                     at the defaults with PRESET_BALANCED 1.23, for 1/13 of the splats' texels */
+                                     at the defaults with PRESET_BALANCED it is 1.23, with 1/13 of the splats' texels */
     SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface, by frame.dipole from the light that
                                      surfels receive. It wants SSGI_GL_PRESET_BEST, 7 levels, frame.epsilon 0.02, and
-                                     surfels of size 0.015, every triangle's (keep_small). On a bunny of marble its
-                                     error is then 0.10 of the mean light; with PRESET_BALANCED 0.32, for a third of the
-                                     texels */
+                                     surfels of size 0.015 from every triangle (keep_small 1). On a bunny of marble its
+                                     error is then 0.10 of the mean light; with PRESET_BALANCED it is 0.32, with a third
+                                     of the texels */
     SSGI_GL_EFFECT_CUSTOM,        /* your own effect: two functions in desc.shader.fetch */
     SSGI_GL_EFFECT_FORCE = SSGI_FORCE
 } ssgi_gl_effect;
@@ -441,13 +443,13 @@ typedef enum ssgi_gl_effect {
      vec4 ssgi_custom_effect(vec3 position, vec3 normal, float radius, vec3 colour, vec3 P, vec3 n)
          returns in xyz the surfel's effect on the pixel at P, whose unit normal is n; the effects of all surfels are
          summed. w is its form factor there, by which desc.surfel.combine counts surfels behind each other; with 0 the
-         sum stays as it is. Your function decides which side of the surfel counts. It is called for pixels in the
-         surfel's shells alone
+         sum stays as it is. Your function decides which side of the surfel counts. It is called only for pixels in the
+         surfel's shells
    The sum is o_ssgi_custom of pass sum. For a disc that occludes v = position - P, d = dot(v, v), w = radius * radius *
    max(dot(v, n), 0.0) * max(-dot(v, normal), 0.0) / (d * (d + radius * radius)). */
 
-/* desc.surfel.combine: how the form factors of many surfels are combined. How much surfels hide of each other is not
-   known. */
+/* desc.surfel.combine: how the form factors of many surfels are combined. It is not known how much of each other
+   surfels hide. */
 typedef enum ssgi_gl_combine {
     SSGI_GL_COMBINE_SHARE = 0, /* each surfel takes its share of the part that the others leave: 1 - exp(-sum) */
     SSGI_GL_COMBINE_ADD,       /* they add up, to 1 at most, as published [DSS14 section 3.2], which is darker */
@@ -467,7 +469,7 @@ typedef enum ssgi_gl_sends {
 typedef enum ssgi_gl_quantity {
     SSGI_GL_QUANTITY_VISIBILITY = 0, /* ambient visibility */
     SSGI_GL_QUANTITY_LIGHT,          /* light, three channels */
-    SSGI_GL_QUANTITY_COEFFICIENTS,   /* those of s3ho */
+    SSGI_GL_QUANTITY_COEFFICIENTS,   /* the coefficients of s3ho */
     SSGI_GL_QUANTITY_FORCE = SSGI_FORCE
 } ssgi_gl_quantity;
 
@@ -482,24 +484,24 @@ typedef enum ssgi_gl_onto {
 } ssgi_gl_onto;
 
 /* desc.light.restore: the quantity that history and blur filter instead of light. Unoccluded light is known exactly at
-   every pixel and differs across creases, which a filter would smooth: blur puts it back unfiltered, at full size. */
+   every pixel. A filter would smooth its edges at creases, so blur puts it back unfiltered, at full resolution. */
 typedef enum ssgi_gl_restore {
     SSGI_GL_RESTORE_NONE = 0,
-    SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
-    SSGI_GL_RESTORE_DIFFERENCE, /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
+    SSGI_GL_RESTORE_RATIO,      /* light / unoccluded light, 0..1 in each channel [HHM18] */
+    SSGI_GL_RESTORE_DIFFERENCE, /* light - unoccluded light: for transfer BOTH, whose light may exceed it */
     SSGI_GL_RESTORE_FORCE = SSGI_FORCE
 } ssgi_gl_restore;
 
 /* desc.filter.kind: how a neighbour is weighted. */
 typedef enum ssgi_gl_filter {
-    SSGI_GL_FILTER_BILATERAL = 0, /* a box over a tile, weighted by the neighbour's distance to the tangent plane */
+    SSGI_GL_FILTER_BILATERAL = 0, /* a box filter, weighted by the neighbour's distance to the tangent plane */
     SSGI_GL_FILTER_GAUSSIAN,      /* the paper's own, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
     SSGI_GL_FILTER_FORCE = SSGI_FORCE
 } ssgi_gl_filter;
 
-/* desc.gather.resolution: the pixels that a gather writes. Blur or history brings its result to full size. */
+/* desc.gather.resolution: the pixels that a gather writes. Blur or history brings its result to full resolution. */
 typedef enum ssgi_gl_resolution {
-    SSGI_GL_RESOLUTION_FULL = 0,     /* all of them */
+    SSGI_GL_RESOLUTION_FULL = 0,     /* all pixels */
     SSGI_GL_RESOLUTION_HALF,         /* the first pixel of every 2x2, so that the size is half, rounded up */
     SSGI_GL_RESOLUTION_HALF_IN_TURN, /* each of the four in turn, by frame.phase: set by ssgi_gl_steps before history */
     SSGI_GL_RESOLUTION_QUARTER,      /* the first pixel of every 4x4: a quarter of the size */
@@ -507,32 +509,33 @@ typedef enum ssgi_gl_resolution {
     SSGI_GL_RESOLUTION_FORCE = SSGI_FORCE
 } ssgi_gl_resolution;
 
-/* The groups of ssgi_gl_desc hold your choices when a program is built. Zero is the default everywhere; counts
-   become literal constants in the shader, and a feature that is off leaves nothing in it. A field's comment begins with
-   the passes that look at it, where its group does not tell; the other passes ignore the field, but it must be in its
-   limits [0..1 where none is told]. ssgi_gl_check names a field that is not. Each field is four bytes long.
-   Each group begins with the choices that are yours. "The papers' own" are for those who draw what a paper published:
-   the defaults have a lower error or cost less. "Of the steps" are set by ssgi_gl_steps; set them yourself only where
-   you draw without it. ssgi_gl_choice.kind tells the three apart. */
+/* The groups of ssgi_gl_desc hold your choices when a program is built. Zero is the default everywhere; counts become
+   literal constants in the shader, and a feature that is off leaves nothing in it. A field's comment begins with the
+   passes that look at it, unless they are those of its group. Other passes ignore the field, but it must still be
+   within its limits: 0..1 if the comment gives none. ssgi_gl_check names a field that is not. Each field is four bytes
+   long.
+   Each group has up to three parts: the choices that are yours; "the papers' own", which draw the published variant,
+   whereas the defaults have a lower error or cost less; and "of the steps", which ssgi_gl_steps sets, and you only if
+   you draw without it. ssgi_gl_choice.kind names a field's part. */
 
 /* ---- desc.input: the camera and your textures, the same for all passes of a frame */
 typedef struct ssgi_gl_input_desc {
     /* the camera */
     int orthographic; /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
     int oblique;      /* DEPTH_WINDOW   1: its near plane may be oblique (ssgi_view.oblique) */
-    int left_handed;  /* 1: view-space normals have +z away from the viewer; for all else: ssgi_view_from_projection */
+    int left_handed;  /* 1: view-space normals have +z away from the viewer; ssgi_view_from_projection tells the rest */
 
     /* your textures */
     ssgi_gl_depth depth;
     ssgi_gl_normal normal;
     int world_normals; /* 1: the normals are in world space; frame.rotation turns them into view space */
     int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; you resolve the other textures. Sample 0 is
-                          read: one surface, at one place in every pixel, so that planes stay planes. The other samples
-                          of an edge get their own by ssgi_gl_read. Not in 300es */
+                          read: one surface, at one place in every pixel, so that planes stay planes. ssgi_gl_read
+                          serves the other samples of an edge. Not in 300es */
     int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
-                          slice a view, as for stereo: frame.slice. The textures that passes write stay 2D, and each
-                          view is drawn by itself, with a frame and a history of its own: passes are bound by pixels,
-                          of which multiview saves none, and it would want arrays of all of them */
+                          layer a view, as for stereo: frame.layer. The textures that passes write stay 2D, and each
+                          view is drawn by itself, with a frame and a history of its own: the cost of passes is in their
+                          pixels, of which multiview saves none, and it would need arrays of all textures */
     int motion;        /* history, change_mask   1: t_ssgi_motion says where each pixel was, so that objects that move
                           on their own keep their average; 0: the camera alone moves */
     ssgi_gl_objects objects; /* aof */
@@ -550,11 +553,11 @@ typedef struct ssgi_gl_gather_desc {
     int slices;            /* slices   [limit: 0..32] [default: 1]  how many; each is walked in two directions */
     int directions;        /* points, march   [limit: 0..64] [default: points 16, march 6]  how many: the papers' N and
                               N_d */
-    int samples; /* [limit: 0..64] [default: 6; points 1; lights 8]  samples along each direction, N_s; lights:
-                              along the segment. Of the points along a direction the first occluded one counts */
+    int samples; /* [limit: 0..64] [default: 6; points 1; lights 8]  samples along each direction, N_s; lights: along
+                    the segment. Of the points along a direction the first occluded one counts */
     ssgi_gl_noise noise;
     ssgi_gl_resolution
-        resolution; /* gathers, shade; blur, history: how their input was written, from which they go to full size */
+        resolution; /* gathers, shade: the pixels that they write; blur, history: the pixels that their input has */
 
     /* the occluders: gathers and lights */
     ssgi_gl_thickness thickness;
@@ -569,31 +572,32 @@ typedef struct ssgi_gl_gather_desc {
     int facets;              /* gathers, shade   1: occluders are sought above the facet that depth shows, as with
                                 input.normal FROM_DEPTH, but filters, emitters and lights keep your normals, so that
                                 restored light (light.restore) stays smooth. For smooth normals on coarse meshes and for
-                                normal maps, whose tangent plane cuts the surface: each facet then darkens itself */
+                                normal maps: their tangent plane cuts the surface, so that with 0 each facet darkens
+                                itself */
     int lift;                /* slices; normals from depth   1: slices lift receivers by frame.offset, as points and the
-                                march always do, and normals from depth compare pixels that are so far apart. For depth
-                                that has steps, as of clouds of points: each splat's edge is a wall otherwise. Set
-                                frame.offset to twice the pixels that a splat is wide; 8 suits splats of 3 to 9, 16
-                                where there are holes between them. Things lower than that lift do not occlude */
+                                march always do, and normals from depth compare pixels at that distance. For depth that
+                                has steps, as from clouds of points: with 0 each splat's edge occludes like a wall. Set
+                                frame.offset to twice the width of a splat in pixels; 8 suits splats of 3 to 9 pixels,
+                                16 splats with holes between them. Things lower than that lift do not occlude */
 
     /* the papers' own */
     int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
     ssgi_gl_march_terms march_terms; /* hsao by march */
     int growing_sphere; /* hsao by march   1: the horizon rises only to surfaces within a sphere that grows with the
-                            ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
+                           ray, a step ahead of its end: surfaces occlude less where depths jump [HSAO08 5] */
     int kernel_texture; /* points   0: one set in the shader, turned by noise; 1: sets in a texture, chosen by noise */
     int uniform_directions; /* points of gathers   1: directions are spread evenly, as published, and each is weighted
                                by 2 cos (those in a texture, too); 0: they are spread by the cosine and weigh the same,
                                which has a lower error */
     ssgi_gl_fade fade;      /* points */
     int range_check;        /* points   1: surfaces beyond the radius or below the receiver's plane do not occlude
-                            [S3HO12 2.1] */
+                               [S3HO12 2.1] */
 } ssgi_gl_gather_desc;
 
 /* ---- desc.light: the light of ssdo, lights and emitters, and the coefficients of s3ho, shade and their blur */
 typedef struct ssgi_gl_light_desc {
     ssgi_gl_environment environment; /* ssdo, blur, history, surfels, dss */
-    ssgi_gl_harmonics harmonics;     /* ssdo with SH, s3ho shaded, shade and blur by HARMONICS */
+    ssgi_gl_harmonics harmonics;     /* ssdo with SH, s3ho shaded, shade and blur with SHADING_HARMONICS */
     ssgi_gl_bounce bounce;           /* ssdo   environment and bounce must not both be NONE. With both, two targets are
                                         written from one visibility. compose   any but NONE: adds t_ssgi_bounce */
     int two_sided;                   /* ssdo, s3ho   1: emitters shine from both sides; 0: from their visible side,
@@ -601,14 +605,14 @@ typedef struct ssgi_gl_light_desc {
                                         occlude from both sides, for sheets */
     int one_sided;                   /* ssdo, s3ho by slices   1: surfaces that are not seen send nothing: neither those
                                         other sides, nor second slabs. For lamps, screens and signs with a dark back,
-                                        which shine on surfaces behind them otherwise. Elsewhere it has a larger error:
-                                        surfaces that environments light are lit from behind, too */
+                                        which with 0 shine on surfaces behind them. In other scenes it has a larger
+                                        error: an environment lights surfaces from behind, too */
     int bounced;                     /* emitters   1: with LIGHT or BOTH they send the last frame's bounce, too, so that
                                         each frame adds a further bounce */
-    int clamp;                       /* emitters   1: none sends more luminance than frame.sent; its hue stays. A single
-                                        pixel that is far brighter than others (a spark, a glint) makes a bright spot of
-                                        each pixel that meets it otherwise. What is as bright on purpose gets darker.
-                                        It is 13 instructions of pass emitters */
+    int clamp;                       /* emitters   1: no emitter sends more luminance than frame.sent; its hue stays.
+                                        With 0 a single pixel that is far brighter than others (a spark, a glint) makes
+                                        a bright spot of each pixel that meets it. Lamps that bright get darker, too.
+                                        Costs 13 instructions of pass emitters */
     ssgi_gl_shadow shadow;           /* lights, surfels, dss */
     ssgi_gl_restore restore;         /* ssdo, s3ho shaded, shade, history, blur   with any value but NONE o_ssgi_light
                                         is not light until blur or history has drawn with this desc and filter.quantity
@@ -617,8 +621,8 @@ typedef struct ssgi_gl_light_desc {
     /* coefficients */
     int bands;                 /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2
                                   coefficients; bent normals need 2 bands */
-    int packed_coefficients;   /* 0: up to four targets of four floats each; 1: up to two of RGBA32UI a set, of eight
-                                  halves each */
+    int packed_coefficients;   /* 0: up to four targets, of four floats each; 1: up to two RGBA32UI targets a set, of
+                                  eight 16-bit floats each */
     ssgi_gl_transfer transfer; /* three sets must be packed. blur, history   REFLECTED: nothing is restored, since
                                   REFLECTED has no unoccluded light */
     int occluded_emitters;     /* s3ho with a transfer, of one layer   1: an emitter reflects the light that the last
@@ -629,9 +633,9 @@ typedef struct ssgi_gl_light_desc {
                                   once; shade is not drawn */
     int residual;              /* s3ho shaded, ssdo with SH, shade, transfer not REFLECTED   1: adds ambient visibility
                                   times the residual of unoccluded irradiance (ssgi_sh_residual). With bent normals and
-                                  cones, whose environment is exact, the residual of `lights` alone. 0: two bands give a
-                                  lamp's light to surfaces that are turned away from it, whose error is larger than
-                                  without occlusion */
+                                  cones, whose environment is exact, only the residual of harmonic_lights. 0: two bands
+                                  light surfaces that are turned away from a lamp, with a larger error than that of no
+                                  occlusion */
     ssgi_gl_shading shading;   /* shade */
     int harmonic_lights;       /* shade   1: adds rows of t_ssgi_lights as harmonics, which the coefficients alone
                                   occlude; a POINT is a sphere of radius min_distance */
@@ -647,28 +651,27 @@ typedef struct ssgi_gl_light_desc {
 /* ---- desc.surfel: surfels, interleave, dss, deinterleave, smooth, sum */
 typedef struct ssgi_gl_surfel_desc {
     ssgi_gl_effect effect; /* dss, deinterleave, smooth, sum */
-    int levels;            /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice the smoothing
-                                taps of the level before. 4 reach 12 surfel radii where epsilon is 0.3, 0.18 image
-                                heights of size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
-                                wants 5, SCATTER 7 */
-    int tessellate;        /* surfels, dss   0: surfels come from a buffer; 1: from patches: not in 330, 300es,
-                                310es */
+    int levels;            /* [limit: 0..7] [default: 4]  each level doubles the reach, and has twice as many samples of
+                              pass smooth as the level before. 4 levels reach 12 surfel radii if epsilon is 0.3: 0.18
+                              image heights with size 0.03. ssgi_splat_levels says how many your radius wants; SPECULAR
+                              wants 5, SCATTER 7 */
+    int tessellate;        /* surfels, dss   0: surfels come from a buffer; 1: from patches: not in 330, 300es, 310es */
     ssgi_gl_sends sends;   /* surfels, dss when tessellate */
     int span;              /* hsao, ssdo by slices; dss, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]
-                                nearer surfaces are left to slices, farther and hidden ones to surfels; 6 have the
-                                lowest error; 0: all to surfels. The slices are 2x8 where desc.gather names no other
-                                number, and WIDTH where it names no thickness */
-    int near_samples;      /* dss   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii;
-                                0, 1: its centre alone, as published, which finds half of the true effect at 1/3 radius
-                                from a wall. SPECULAR wants 4, SCATTER does not look at it */
+                              surfaces up to this distance are left to slices, farther and hidden ones to surfels; 6 has
+                              the lowest error; 0: all are left to surfels. The slices are 2x8, WIDTH, unless
+                              desc.gather sets numbers or a thickness */
+    int near_samples;      /* dss   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
+                              its centre alone, as published, which finds half of the true effect at 1/3 radius from a
+                              wall. SPECULAR wants 4, SCATTER does not look at it */
 
     /* the papers' own */
     ssgi_overhang overhang;  /* surfels, dss when tessellate   how triangles shrink, as in ssgi_surfel_desc
                                 (ssgi.h) */
-    int enlarge;             /* dss, but SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
+    int enlarge;             /* dss, except SCATTER   1: on level l surfels are 2^l times as wide, as published; 0: they
                                 count 4^l times. Wider ones bring up to a third less than the surfels that they stand
-                                for, where epsilon is 0.1 */
-    ssgi_gl_combine combine; /* sum, but SCATTER */
+                                for, if epsilon is 0.1 */
+    ssgi_gl_combine combine; /* sum, except SCATTER */
 
     /* of the steps */
     int axis; /* smooth   0: along x; 1: along y */
@@ -677,14 +680,14 @@ typedef struct ssgi_gl_surfel_desc {
 /* ---- desc.filter: blur and history, smooth, and the way onto your picture */
 typedef struct ssgi_gl_filter_desc {
     ssgi_gl_filter kind; /* blur, history: choice "filter" */
-    int radius;          /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size
-                                  when gather.resolution: 1 is 3x3. Choice "filter_radius" */
-    int normals;         /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch
-                                  each. Choice "filter_normals" */
+    int radius;          /* blur, history   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels of the filter's
+                            input, which gather.resolution thins out: 1 is 3x3. Choice "filter_radius" */
+    int normals;         /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch each.
+                            Choice "filter_normals" */
     ssgi_gl_onto onto;   /* blur of ambient visibility, compose */
 
     /* of the steps */
-    ssgi_gl_quantity quantity; /* blur alone filters coefficients, as history averages the light of shade */
+    ssgi_gl_quantity quantity; /* COEFFICIENTS: blur alone, since history averages the light of shade */
 } ssgi_gl_filter_desc;
 
 /* ---- desc.shader: the language of the shader, and your own lines in it */
@@ -693,10 +696,10 @@ typedef struct ssgi_gl_shader_desc {
     ssgi_gl_uniforms uniforms;
     ssgi_gl_compute compute;
     int block_set;       /* VULKAN   [limit: 0..31]  the descriptor set of the uniform blocks */
-    int texture_set;     /* VULKAN   [limit: 0..31]  that of the textures. Fragment stages of SDL_GPU want 2, the blocks
-                            in 3, dense */
-    int output_set;      /* VULKAN, compute   [limit: 0..31]  that of the storage images. Compute stages of SDL_GPU want
-                            1, the textures in 0, the blocks in 2, dense */
+    int texture_set;     /* VULKAN   [limit: 0..31]  the set of the textures. Fragment stages of SDL_GPU want 2, with
+                            the blocks in 3, dense */
+    int output_set;      /* VULKAN, compute   [limit: 0..31]  the set of the storage images. Compute stages of SDL_GPU
+                            want 1, with the textures in 0 and the blocks in 2, dense */
     int dense;           /* VULKAN   1: bindings have no gaps, counted from 0 over all stages of the pass: the blocks
                             that it reads, then its textures in the order of ssgi_gl_step.input, then storage images;
                             those in a set of their own begin at 0. 0: a name has the same binding in every variant of
@@ -704,10 +707,10 @@ typedef struct ssgi_gl_shader_desc {
     int group_width;     /* compute   [limit: 0..16] [default: 8]  invocations of a group in a row */
     int group_height;    /* compute   [limit: 0..16] [default: 8]  rows of a group */
     int lines;           /* 1: the shader has #line directives, so that a compiler's "0:N" is line N of this header */
-    int storage;         /* compute   [limit: 0..2]  of the steps: ssgi_gl_chain.precise, by which the storage images
-                            have their formats */
-    const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: ours */
-    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
+    int storage;         /* compute   [limit: 0..2]  of the steps: ssgi_gl_chain.precise, which sets the formats of the
+                            storage images */
+    const char *version; /* your first line(s), verbatim, instead of "#version .."; NULL: none of yours */
+    const char *fetch;   /* your GLSL, put before the library's if a CUSTOM choice is read; NULL: none */
 } ssgi_gl_shader_desc;
 
 /* One pass, and your choices for it. Groups that it does not look at may hold anything within their limits, so that one
@@ -729,16 +732,16 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 /* ssgi_gl_choice.kind: who sets a field. */
 enum {
     SSGI_GL_CHOICE_YOURS = 0, /* you do: the camera, your textures, cost, accuracy, look */
-    SSGI_GL_CHOICE_PAPER,     /* whoever draws what a paper published: better ways are the default */
+    SSGI_GL_CHOICE_PAPER,     /* you do, to draw as a paper published; the defaults are better */
     SSGI_GL_CHOICE_STEPS      /* ssgi_gl_steps does, in the descs of its steps */
 };
 
 /* A field of ssgi_gl_desc: all but version and fetch. */
 typedef struct ssgi_gl_choice {
-    const char *name;     /* "search": no two fields have the same */
+    const char *name;     /* "search": unique among the fields */
     const char *field;    /* "gather.search" */
     const char *values;   /* an enum's words in order from 0, blanks between: "SLICES POINTS MARCH"; of others "" */
-    const char *sentence; /* its limits; of an enum with the prefix that turns the words into enumerators */
+    const char *sentence; /* its limits; for an enum also the prefix that makes enumerators of the words */
     size_t offset;        /* bytes into ssgi_gl_desc */
     int most;             /* its largest value; the least is 0 */
     int kind;             /* SSGI_GL_CHOICE_YOURS .. */
@@ -746,7 +749,7 @@ typedef struct ssgi_gl_choice {
 
 /* The i-th field; NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
-/* The i-th choice of ssgi_gl_chain, where offset is into that; NULL past the last. */
+/* The i-th choice of ssgi_gl_chain; its offset is into ssgi_gl_chain. NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
 
 /* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
@@ -754,23 +757,23 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
    directions, samples, normal_rays and noise of desc->gather, kind and radius of desc->filter; range_check and fade of
    points; for ssdo with an environment light.restore RATIO, without which blur would smooth creases.
      slices        hsao: FAST half size 1x10, BALANCED half 2x8, BEST full 2x7 (slices x samples); ssdo, s3ho: half 1x5,
-                   half 2x9, full 2x9. thickness: of hsao FAST is CONSTANT, which saves a pass, all others are DEFAULT;
-                   SOLID, WIDTH, BACK and SLABS stay
+                   half 2x9, full 2x9. thickness: hsao FAST sets CONSTANT, which saves a pass, all others set DEFAULT;
+                   if it is SOLID, WIDTH, BACK or SLABS it stays
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x samples)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x samples)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
      dss           quarter size, half, full; slices near by, with a span: 2x8, 2x8, 2x7. SPECULAR and SCATTER, which
                    have no slices, want BEST
-   All other fields stay: set thickness BACK or SLABS where you can draw those passes. Passes without such settings are
+   All other fields stay: set thickness BACK or SLABS if you can draw those passes. Passes without such settings are
    left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_PRESET_FAST, SSGI_GL_PRESET_BALANCED, SSGI_GL_PRESET_BEST };
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
-/* Writes a plan of ssgi_plan_make (ssgi.h) into a desc: the pass that does most of the work (of surfels and fields the
+/* Writes a plan of ssgi_plan_make (ssgi.h) into a desc: the pass that does most of the work (with surfels or fields the
    pass that draws them), with its settings and the filter's; the other fields stay. ssdo and s3ho get restore; s3ho
    gets shaded and residual; ssdo without an environment gets MAP; surfels leave near surfaces to slices (span 6).
-   thickness is the plan's: where the plan draws no back faces it is DEFAULT, which in chains is WIDTH. Left to you: a
+   thickness is the plan's: if the plan draws no back faces it is DEFAULT, which in chains is WIDTH. Left to you: a
    bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of
    NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
@@ -788,52 +791,53 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
    desc gives the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
-/* A number for caches of programs. It is equal when the choices that reach the shader are equal (shaders in
-   desc.shader.version and desc.shader.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
+/* A number for caches of programs. It is equal if the choices that reach the shader are equal (desc.shader.version and
+   desc.shader.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* Writes the GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
-   (ssgi_sh_turn) and a dot product. struct ssgi_sh { vec4 a, b, c, d; } holds coefficient 4w + k in lane k of word w,
-   in as many words as the bands need (1 band: a.x; 2: a; 3: a, b, c.x). It works like snprintf. bands [limit: 1..4];
-   other values return 0. */
+   (ssgi_sh_turn) and a dot product. struct ssgi_sh { vec4 word0, word1, word2, word3; } holds coefficient 4w + k in
+   component k of word w, in as many words as the bands need (1 band: word0.x; 2: word0; 3: word0, word1, word2.x). It
+   works like snprintf. bands [limit: 1..4]; other values return 0. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* Writes the GLSL of functions that tell which light ambient visibility dims, for your own shaders, in any dialect:
-   twins of ssgi_interreflected, of three channels, and of ssgi_specular_visibility. It works like snprintf.
+/* Writes the GLSL of functions that dim diffuse and specular light by ambient visibility, for your own shaders, in any
+   dialect: twins of ssgi_interreflected (for three channels) and of ssgi_specular_visibility. It works like snprintf.
      vec3 ssgi_interreflected(float visibility, vec3 albedo);
      float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness);
-   Visibility and bent normals by one gather: S3HO of 2 bands, which ssgi_gl_read reads. */
+   One gather gives visibility and bent normals: S3HO with 2 bands, which ssgi_gl_read reads. */
 SSGI_DEF size_t ssgi_gl_reflection(char *out, size_t capacity);
 
 /* Writes the GLSL of fields for your own shaders, with its samplers:
      float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
    This function returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, or as many as it
    has, except those of that object (0: none), in the space that ssgi_gl_occluder_set was given. ssgi_gl_field reads
-   desc->input.cap_table, and whether desc->shader.dialect is VULKAN, which has another text. In GLES the text needs
+   desc->input.cap_table, and whether desc->shader.dialect is VULKAN, whose GLSL differs. In GLES the text needs
    "precision highp float; precision highp int;" before it, in VULKAN the extension
    GL_EXT_samplerless_texture_functions. It works like snprintf; a bad desc returns 0. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
-/* Writes the GLSL by which your own shaders read a result where they light a surface: in forward rendering, on edges of
-   multisampled pictures, on transparent surfaces. It stands in for the filter's pass (chain.blur 0), and weighs the
-   texels around the pixel as that pass does, but for the surface that you shade.
+/* Writes the GLSL by which your own shaders read a result while they light a surface: in forward rendering, on edges of
+   multisampled images, on transparent surfaces. It replaces the filter's pass (chain.blur 0): it weighs the texels
+   around the pixel as that pass does, but by the surface that you shade.
      float ssgi_visibility_at(vec2 pixel, float depth, vec3 normal);              of SSAO, HSAO
      vec3 ssgi_irradiance_at(vec2 pixel, float depth, vec3 normal);               of SSDO, SHADE, LIGHTS, S3HO shaded
      ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float depth, vec3 normal);    of S3HO: channel[0] ..
          are ssgi_gl_sh's struct, for ssgi_sh_dot; ssgi_ambient(coefficients).x is ambient visibility,
          ssgi_bent(channel[0]).xyz of 2 bands or more the bent normal, in view space: both by one gather, for
          ssgi_specular_visibility
-   Of HISTORY, SUM, and of a BLUR of light or coefficients, which are filtered already, they read the pixel's own texel,
-   and those around it where it shows another surface.
+   Results of HISTORY, SUM, and of a BLUR of light or coefficients are filtered already: of these they read the pixel's
+   own texel, and those around it only if it shows another surface.
      desc      of the step that wrote the result. Another pass, and a BLUR of visibility, which holds no depth, return 0
      pixel     [units: pixels] gl_FragCoord.xy less the first corner of your viewport
-     depth     [units: view] positive; ssgi_fragment_depth(pixel, gl_FragCoord.z) where desc.input.depth is WINDOW
+     depth     [units: view] positive; ssgi_fragment_depth(pixel, gl_FragCoord.z) if desc.input.depth is WINDOW
      normal    as desc.input says: in view space, or in the world
-   A surface that no texel shows, as a pane far in front of all else, is unoccluded: visibility and restored light go
-   there over the distance to the surfaces that are shown, by half at a radius; from full size at once. The block
-   ssgi_frame is ssgi_gl_frame, unless desc.shader.uniforms is LOOSE. A shader holds one such text, which reads one
-   texture, and with coefficients none of ssgi_gl_sh, whose functions it has. In GLES the text needs the lines that
-   ssgi_gl_field needs. It works like snprintf. */
+   A surface that no texel around shows, for instance a pane far in front of everything else, is unoccluded. Results at
+   half or a quarter of the resolution fade to unoccluded as the surface is farther from those that the texels show,
+   half of the way at one radius; results at full resolution go there at once. The block ssgi_frame is ssgi_gl_frame,
+   unless desc.shader.uniforms is LOOSE. A shader can hold one such text, which reads one texture. With coefficients it
+   has the functions of ssgi_gl_sh, so do not add those. In GLES the text needs the lines that ssgi_gl_field needs. It
+   works like snprintf. */
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
@@ -856,14 +860,14 @@ enum {
 typedef struct ssgi_gl_io {
     const char *name; /* exactly as in the shader: "t_ssgi_depth" */
     int kind;
-    const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D". OUTPUT of a compute stage: what is stored in
-                           an image2D, or where it begins with u in a uimage2D */
+    const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D". OUTPUT of a compute stage: the type that is
+                           stored, in a uimage2D if it begins with u, else in an image2D */
     int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass. OUTPUT, ATTRIBUTE: location, of
                            a compute stage the unit of the image.
                            CAPTURE: place in the interleaved buffer. CONSTANT: its value. PARAM: its block, 0
                            ssgi_frame, 1 ssgi_views */
     size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views, the same as in the std140 block. CONSTANT in
-                           VULKAN: its constant_id where it may be specialised. Otherwise 0 */
+                           VULKAN: its constant_id if it may be specialised. Otherwise 0 */
     const char *format; /* TEXTURE, OUTPUT: formats and content of the texture. PARAM: units */
     int set, binding;   /* TEXTURE, PARAM, and OUTPUT of a compute stage, in VULKAN: those of the texture, of the block,
                            of the image. In other dialects 0 and slot */
@@ -875,34 +879,34 @@ typedef struct ssgi_gl_io {
    0 for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
-/* Row i of kind PARAM of any pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
+/* Returns row i of all rows of kind PARAM: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
 
-/* The draws of a desc: its pass, and the passes before and behind it. With all but desc and size at 0 the pass is drawn
-   alone. */
+/* The draws of a desc: its pass, and the passes before and after it. With only desc, width and height set no filter
+   follows the pass. */
 typedef struct ssgi_gl_chain {
     /* ---- the passes */
     ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, AOF or DSS. The passes around it are drawn with its
                             choices, too: SSDO with an environment and a bounce draws that light, then its bounce; S3HO
-                            with a transfer draws its emitters first; DSS by LIGHT with a bounce then draws the light
-                            that surfels send */
+                            with a transfer draws its emitters first; DSS with EFFECT_LIGHT and a bounce adds a draw of
+                            the light that surfels send */
     ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc. Another pass:
                             none */
     int width, height;   /* [units: pixels] [limit: 1..16384]  of the image: ssgi_gl_frame.size */
 
     /* ---- the filter */
     int blur;         /* 1: gathered visibility and light are filtered within surfaces */
-    int history;      /* 1: they are also averaged over frames, at full size: pass history in place of blur. Needs
-                       blur = 1 */
+    int history;      /* 1: they are also averaged over frames, at full resolution: pass history instead of blur. Needs
+                         blur = 1 */
     int coefficients; /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is
-                            filtered */
+                         filtered */
     int unsmoothed;   /* dss   1: levels are added unfiltered */
 
     /* ---- the emitters */
     int reuse;   /* ssdo   1: emitters send the last frame's light, so that one gather does light and bounce */
-    int bounced; /* ssdo   1: emitters send the last frame's bounce, too: a further bounce a frame, without a pass */
+    int bounced; /* ssdo   1: emitters send the last frame's bounce, too: a further bounce each frame, without a pass */
     int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, and the bounce restores the light that
                    their clamp removes */
     int direct; /* 1: emitters send your own radiance, too (t_ssgi_direct) */
@@ -910,14 +914,14 @@ typedef struct ssgi_gl_chain {
     /* ---- surfels */
     int surfels;    /* dss   1: pass surfels writes the surfels of this frame: lit, or from patches */
     int hidden_sky; /* dss   1: desc.light.environment, unoccluded, lights the surfels that the picture does not show.
-                       LIGHT without span always has it light all surfels */
+                       EFFECT_LIGHT without span always lights all surfels by it */
 
     /* ---- targets */
     int precise; /* 0: 16-bit floats, and 8 bits for final visibility; 1: 32-bit floats; 2: for coefficients, too. With
-                    0 nothing beyond a view depth of 65504 occludes or receives, as 16 bits end there */
-    int rgba8;   /* 1: these 8 bits are those of RGBA8, four times as many bytes, for devices that cannot draw into R8;
-                    GLES 3.0 and Vulkan demand that they can, but some drivers of phones cannot. Not with
-                    desc.shader.compute, where BASIC has RGBA8 */
+                    0 nothing beyond a view depth of 65504 occludes or is occluded, as 16-bit floats end there */
+    int rgba8;   /* 1: 8-bit visibility is RGBA8 instead of R8, four times as many bytes, for devices that cannot draw
+                    into R8. GLES 3.0 and Vulkan demand that they can, but some phones' drivers cannot. Not with
+                    desc.shader.compute, whose BASIC has RGBA8 */
 } ssgi_gl_chain;
 
 /* The content of a texture of yours: ssgi_gl_input.meaning. */
@@ -959,17 +963,16 @@ typedef struct ssgi_gl_input {
     const char *name, *type;      /* as in the shader: "t_ssgi_depth", "sampler2D" */
     int unit;                     /* the sampler's: ssgi_gl_io.slot */
     unsigned target;              /* GL_TEXTURE_2D .. */
-    int set, binding;             /* VULKAN, WebGPU: those of a sampled image, by default's rule in other dialects */
+    int set, binding;             /* of the sampled image in VULKAN, WebGPU; other dialects: VULKAN's defaults */
     int array;                    /* 1: its view is of an array: VK_IMAGE_VIEW_TYPE_2D_ARRAY, "2d-array" */
-    int multisampled;             /* 1: it has samples: sampler2DMS, WebGPU's multisampled: true */
+    int multisampled;             /* 1: it is multisampled: sampler2DMS, WebGPU's multisampled: true */
     int integer;                  /* 1: of unsigned integers, WebGPU's sampleType "uint"; 0: "unfilterable-float" */
     int meaning;                  /* of a texture of yours SSGI_GL_YOUR_DEPTH ..; -1: the steps write the texture */
     int texture;                  /* the number of a texture that the steps write; -1: it is yours */
     int last;                     /* 1: it is read as the last frame left it */
-    const ssgi_gl_format *format; /* that of the steps' texture; NULL: it is yours, as ssgi_gl_io.format says */
-    int width, height;            /* the size of the steps' texture, as this frame writes it where it is read as the
-                                     last one left it; of yours the least size that is needed, 0 where that is not the
-                                     picture's */
+    const ssgi_gl_format *format; /* format of the steps' texture; NULL: it is yours, see ssgi_gl_io.format */
+    int width, height;            /* the size of the steps' texture (with `last` the size that this frame writes). Of
+                                     yours: the least size, if it must cover the image, else 0 */
 } ssgi_gl_input;
 
 /* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.filter.onto it has
@@ -984,20 +987,20 @@ typedef struct ssgi_gl_output {
     const char *name;             /* as in the shader: "o_ssgi_ao" */
     int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format; /* NULL: your picture's */
-    int slices, slice;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `slice` is drawn into */
-    int set, binding;             /* desc.shader.compute in VULKAN, WebGPU: those of the storage image, a 2D view; in GL
-                                     binding is the unit of the image */
+    int layers, layer;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `layer` is drawn into */
+    int set, binding;             /* of the storage image (a 2D view) with desc.shader.compute in VULKAN, WebGPU; in GL
+                                     binding is the image's unit */
     int kept;                     /* 1: make two of it, which change places each frame: history */
     int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
 
-/* ssgi_gl_step.size */
+/* ssgi_gl_step.scale */
 enum {
-    SSGI_GL_SIZE_FULL = 0,
-    SSGI_GL_SIZE_HALF,   /* half of the image, rounded up */
-    SSGI_GL_SIZE_LEVELS, /* the size of all levels: ssgi_splat_size of what desc.gather.resolution leaves */
-    SSGI_GL_SIZE_TILES,  /* an eighth of the image, rounded up */
-    SSGI_GL_SIZE_QUARTER /* a quarter of the image, rounded up */
+    SSGI_GL_SCALE_FULL = 0,
+    SSGI_GL_SCALE_HALF,   /* half of the image, rounded up */
+    SSGI_GL_SCALE_LEVELS, /* the size of all levels: ssgi_splat_size of the image at desc.gather.resolution */
+    SSGI_GL_SCALE_TILES,  /* an eighth of the image, rounded up */
+    SSGI_GL_SCALE_QUARTER /* a quarter of the image, rounded up */
 };
 
 /* One draw. ssgi_gl_emit of desc writes the shader of each stage. */
@@ -1006,7 +1009,7 @@ typedef struct ssgi_gl_step {
 
     /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at a quarter for QUARTER,
        at an eighth for TILES */
-    int size;          /* SSGI_GL_SIZE_FULL ..: which part of the image's size; the pixels are width and height */
+    int scale;         /* SSGI_GL_SCALE_FULL ..: its size over the image's; width and height are pixels */
     int width, height; /* [units: pixels] of that image: the viewport */
 
     /* ---- its inputs and outputs */
@@ -1026,39 +1029,39 @@ typedef struct ssgi_gl_step {
     int groups[2]; /* desc.shader.compute: dispatch so many groups across and down instead; else 0 */
 } ssgi_gl_step;
 
-/* Room for the steps of a chain of one camera (desc.gather.views 0) and one layer of depth (desc.gather.layers up to
-   1), and for the textures that they write, whatever else it has: for what presets, ssgi_gl_plan and the methods of
-   build/render draw. Other chains may have more than a hundred steps: ssgi_gl_steps(NULL, 0, ..) tells how many. */
+/* Room for the steps of any chain with one camera (desc.gather.views 0) and one layer of depth (desc.gather.layers up
+   to 1), and for the textures that they write. Presets, ssgi_gl_plan and the methods of build/render have no more.
+   Other chains may have more than a hundred steps: ssgi_gl_steps(NULL, 0, ..) tells how many. */
 #define SSGI_GL_MAX_STEPS 32
 
 /* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0.
-   Where that is more than `capacity`, the rest is not written: read no step from there on. A bad chain returns 0, and
-   why says the reason. With desc.filter.onto the last step draws onto your picture.
+   If that is more than `capacity`, only the first `capacity` steps are written. A bad chain returns 0, and why says the
+   reason. With desc.filter.onto the last step draws onto your picture.
 
-   Clear the steps' textures to 0 when you make them. Where the picture's size changes, ask for the steps again; the
-   shaders stay, since none depends on the size. Textures of the greatest size stay, too, and the picture takes a part
-   of them, from frame.target on. Otherwise make them anew, of the size that the steps now say; but one that is read as
-   the last frame left it (input.last) is read once more, at its own size. So of such a pair make the one that this
-   frame writes anew first, and the other a frame later. */
+   Clear the steps' textures to 0 when you make them. If the size of the image changes, ask for the steps again; the
+   shaders stay, since none depends on the size. If your textures have the greatest size, they stay, too: the image
+   takes a part of them, from frame.target on. Otherwise make them anew, of the size that the steps now give. A texture
+   that is read as the last frame left it (input.last) is one of a pair, and this frame still reads it at its old size:
+   make the one that this frame writes anew now, and the other in the next frame. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
-/* A method: what README, tools and pages call by a name. */
+/* A method: a chain with the name that README, tools and pages use. */
 typedef struct ssgi_gl_method {
     const char *name;     /* "hsao-history" */
-    const char *sentence; /* what it is for, and what it needs beyond depth and normals */
+    const char *sentence; /* its use, and its needs beyond depth and normals */
     int pass, preset;     /* chain.desc.pass; SSGI_GL_PRESET_FAST .. */
-    const char *settings; /* what differs from the preset, as ssgi_gl_chain_of takes it behind a name: "history=1" */
+    const char *settings; /* the settings unlike the preset's, as ssgi_gl_chain_of takes them: "history=1" */
 } ssgi_gl_method;
 
-/* The i-th method; NULL past the last. The first one of a pass is the plain one. */
+/* The i-th method; NULL past the last. A pass's first method is the one to begin with. */
 SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i);
 
 /* Fills a chain by a method's name. width and height are 0: set them.
      name   "NAME[,PRESET][,FIELD=VALUE].." in any case, with - or _: "hsao", "hsao-history,thickness=slabs",
-            "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at. PRESET: fast, balanced or best. FIELD: a
-            name of ssgi_gl_choice_at, but pass, or of ssgi_gl_chain_choice_at; "lights." and a name: of chain.lights,
-            whose pass is LIGHTS then. VALUE: a number or a word. What is given stands over what the preset sets. An
-            unknown name gets a sentence with those near it. A bad name leaves the chain as it is */
+            "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at. PRESET: fast, balanced or best. FIELD: a name
+            of ssgi_gl_choice_at, except pass, or of ssgi_gl_chain_choice_at; with "lights." before it a field of
+            chain.lights, whose pass is LIGHTS then. VALUE: a number or a word. A field that is given overrides the
+            preset's value. The sentence on an unknown name lists similar names. A bad name leaves the chain as it is */
 SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, const char **why);
 
 /* GL's state of the texture at a unit, or of a target. */
@@ -1068,11 +1071,11 @@ typedef struct ssgi_gl_bound {
     int width, height;
     unsigned filter;  /* GL_TEXTURE_MIN_FILTER; not looked at in targets */
     unsigned compare; /* GL_TEXTURE_COMPARE_MODE; not looked at in targets */
-    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; not looked at where it is 0, and in targets */
+    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; not looked at if it is 0, and in targets */
 } ssgi_gl_bound;
 
 /* For debug builds: writes a sentence on the first fault of a draw, which names step, texture and unit. It works like
-   snprintf, and returns 0 when there is no fault.
+   snprintf, and returns 0 if there is no fault.
      units      the texture at each of 16 units; NULL: units are not checked
      targets    the target of each of step->outputs; NULL: targets are not checked */
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
@@ -1086,36 +1089,37 @@ typedef struct ssgi_gl_frame {
     /* ---- the camera: from ssgi_view */
     float project[4];
     float unproject[4];
-    float decode[4]; /* ssgi_view.depth[0], [1], clear; 0. Where an orthographic camera stands behind its near plane or
-                        far away, [3] is the view depth at which the shaders' own space begins, which is then that of
-                        the depths that passes write, and [0] is counted from there */
+    float decode[4]; /* ssgi_view.depth[0], [1], clear; 0. If an orthographic camera's near plane lies behind its eye or
+                        far away, [3] is the view depth at which depth inside the shaders begins; [0], and the depths
+                        that passes write, then count from there */
 
     /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
     int32_t size[2];   /* [units: pixels]  of the image. With a margin it is larger than the part that is shown: scissor
-                          steps to the inner rectangle and the texels that their filters read, but not those of size
-                          LEVELS and TILES, nor passes thickness and emitters and those that light emitters, which are
-                          read a radius away */
-    int32_t target[2]; /* [units: texels]  first texel of the image in the textures that passes write; half of it in
-                          half size, a quarter in quarter size */
+                          steps to the shown rectangle and the texels that their filters read. Do not scissor steps of
+                          size LEVELS and TILES, passes thickness and emitters, and passes that light emitters: their
+                          targets are read a radius away */
+    int32_t target[2]; /* [units: texels]  first texel of the image in the textures that passes write; half of it at
+                          half resolution, a quarter at a quarter */
 
     /* ---- gathers */
     float radius; /* [units: view] [limit: > 0]  distance of the farthest occluder */
-    float offset; /* [units: half pixels] [default: 1.5]  lift of receivers along their normals, so that nearest
-                             fetches of their planes stay below them: of slices with desc.gather.lift alone */
-    float thickness_limit; /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces: with
-                             desc.gather.thickness CONSTANT; with WIDTH the most; with BACK and SLABS by points where
-                             there is no back face. ssgi_gl_frame_of knows what suits a chain */
-    float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
-    float fade;           /* [units: view] [default: 0.3 radii]  distance at which occluders begin to fade; at the
-                             radius: they do not */
-    float distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
-    float gain;           /* [default: 1]  factor of the patches' area in BOUNCE_PATCH: the paper's strength of the
-                             bounce */
-    float max_slope;      /* [default: 20]  shadow maps: their bias grows with the slope, tan of light against normal,
-                             up to this slope */
-    int32_t lights;       /* how many rows of t_ssgi_lights are read, at most as many as it has */
-    float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.gather.fade LAMBDA */
+    float offset; /* [units: half pixels] [default: 1.5]  lift of receivers along their normals, so that depths of their
+                     own plane stay below them (ssgi_normal_offset). Slices lift only with desc.gather.lift */
+    float thickness_limit; /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces with
+                              desc.gather.thickness CONSTANT; the largest thickness with WIDTH; for points with BACK and
+                              SLABS that of surfaces without a back face. ssgi_gl_frame_of sets the value that suits a
+                              chain */
+    float phase;           /* [limit: 0..1]  turns the noise; 0, or if frames are averaged another value each frame */
+    float fade;            /* [units: view] [default: 0.3 radii]  distance at which occluders begin to fade; with the
+                              radius they do not fade */
+    float distance_clamp;  /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
+    float gain;            /* [default: 1]  factor of the patches' area in BOUNCE_PATCH: the paper's strength of the
+                              bounce */
+    float max_slope;       /* [default: 20]  shadow maps: the bias grows with the slope (the tangent of the angle
+                              between light and normal) up to this slope */
+    int32_t lights;        /* how many rows of t_ssgi_lights are read, at most as many as it has */
+    float lambda;          /* [units: 1/radius] [limit: >= 0] [default: 4]  lambda of desc.gather.fade LAMBDA */
 
     /* ---- the world */
     float rotation[12];  /* world to view, 3 columns padded to 4, for all inputs in the world; identity by default */
@@ -1127,45 +1131,47 @@ typedef struct ssgi_gl_frame {
     float mesh[16];   /* mesh to view space, column-major; identity by default */
     float dipole[16]; /* EFFECT_SCATTER: ssgi_gl_dipole_set */
     float keep_small; /* ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
-    float near_depth; /* aof, dss   [units: view] [default: the near plane]  lower bound of the frame's view depths:
-                         the last frame's minimum, for instance, culls most occluders and surfels around the eye */
-    float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
+    float near_depth; /* aof, dss   [units: view] [default: the near plane]  lower bound of the frame's view depths: for
+                         instance the last frame's minimum, which culls most occluders and surfels around the eye */
+    float sent;       /* effects from BOUNCE on   [limit: > 0] [default: 1]  radiance that counts as bright:
                          ssgi_gl_sent_set makes the result linear in the light. desc.light.clamp   the most luminance
-                         that an emitter sends: some times that of your brightest wide surface */
-    float epsilon;    /* dss   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or that
-                         times the radiance that it sends over `sent` (times the lobe's peak): ssgi_gl_frame_of */
+                         that an emitter sends: a few times that of your brightest wide surface */
+    float epsilon;    /* dss   [default: 0.3]  the least effect that a surfel is drawn for: its form factor, or with
+                         light form factor * radiance / sent (* the lobe's peak): ssgi_gl_frame_of */
     float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
 
     /* ---- the rest, where std140 has room for it */
     float history_frames; /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  how many frames are averaged; 0:
-                            the average begins anew. Seconds: ssgi_gl_frame_time */
+                             the average begins anew. Seconds: ssgi_gl_frame_time */
     float oblique[2];     /* desc.input.oblique: from ssgi_view */
     float window
         [4]; /* desc.light.harmonic_lights: ssgi_sh_window of 4 bands, or of as many as desc.light.bands; Hann's by
-                            default */
+                default */
     float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
-    float last_from[16];  /* and back: ssgi_gl_frame_history */
-    int32_t slice;        /* desc.input.array: the layer of your array textures */
-    float pace;           /* history   [limit: > 0] [default: 1]  how long the last frame took over how long this one
-                            took: ssgi_gl_frame_time */
+    float last_from[16];  /* the inverse of last_to: ssgi_gl_frame_history */
+    int32_t layer;        /* desc.input.array: the layer of your array textures */
+    float pace;           /* history   [limit: > 0] [default: 1]  duration of the last frame / duration of this one:
+                             ssgi_gl_frame_time */
     int32_t last_size[2]; /* [units: pixels]  of the last frame's image: ssgi_gl_frame_history */
-    float jitter[2];      /* [units: pixels of the last frame] [default: 0]  of a projection that trembles for TAA:
-                             this frame's jitter less the last one's. Averages then stand for pixels, not for places in
-                             them, and lose nothing to interpolation; t_ssgi_motion leaves jitter out. Where the
-                             projection moves by jitter alone, project[2], [3] (for another size times last_size over
-                             size) less that of the last frame's view */
-    float last_footprint; /* [limit: >= 1]  width of the last frame's pixels over that of this frame's, at least 1:
-                            ssgi_gl_frame_history */
+    float jitter[2];      /* [units: pixels of the last frame] [default: 0]  of a projection that is jittered for TAA:
+                             this frame's jitter - the last one's. Averages then belong to whole pixels, not to places
+                             in them, and lose nothing to interpolation; t_ssgi_motion must not contain jitter. If the
+                             projection changes by jitter alone, it is project[2], [3] (times last_size / size if the
+                             size changes) - those of the last frame's view */
+    float last_footprint; /* [limit: >= 1]  width of the last frame's pixels / width of this frame's, at least 1:
+                             ssgi_gl_frame_history */
     float strength;       /* desc.filter.onto   [limit: >= 0] [default: 1]  visibility v goes onto your picture as 1 +
-                             strength * (v - 1), and not below 0: for looks, as all but 1 departs from the truth */
+                             strength * (v - 1), and not below 0: for looks, as every value but 1 departs from ground
+                             truth */
 } ssgi_gl_frame;
 
 /* Fills a frame from a view: the image is at the origin of textures and targets, all other members have their defaults.
      radius   [units: view] [limit: > 0] */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* The same, with the values that suit a chain: thickness_limit is 1 radius for ssao, 0.7 for light by points, 0.5 for
-   the march, 0.4 for light by slices, else 0.6; epsilon is 0.02 for SCATTER, 0.1 for SPECULAR, else 0.3. */
+/* Fills a frame as ssgi_gl_frame_init does, with the values that suit a chain: thickness_limit is 1 radius for ssao,
+   0.7 for light by points, 0.5 for the march, 0.4 for light by slices, else 0.6; epsilon is 0.02 for SCATTER, 0.1 for
+   SPECULAR, else 0.3. */
 SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain *chain, const ssgi_view *view,
                                       float radius, const char **why);
 
@@ -1176,8 +1182,9 @@ SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain 
 SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *frame, const char *name,
                               const ssgi_view *view, float radius, const char **why);
 
-/* Sets history, last_to, last_from, last_size, last_footprint. Leave history 0 at a cut.
-     view, last_world_to_view    those of the last frame, as GL had them, jitter and all. view has this frame's kind of
+/* Sets history_frames, last_to, last_from, last_size, last_footprint. At a cut set history_frames
+   to 0 instead.
+     view, last_world_to_view    those of the last frame, as GL had them, jitter included. view has this frame's kind of
                                  projection and may have another size: the textures that the last frame wrote are read
                                  at that size, from frame.target on, and must not have been cleared or made anew
      matrices                    [limit: rigid, finite] world to view space */
@@ -1185,10 +1192,11 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why);
 
-/* Counts history in seconds, for frames that take unequal times: sets history and pace, after ssgi_gl_frame_history.
-     memory          [units: seconds] [limit: > 0] older frames hardly count: 0.27 is 16 frames of 60 a second
-     elapsed, last   [units: seconds] [limit: > 0] how long this frame and the last one take: times from picture to
-                     picture. The average then follows changes as fast at any rate of frames */
+/* Counts history in seconds, for frames that take unequal times: sets history_frames and pace, after
+   ssgi_gl_frame_history.
+     memory          [units: seconds] [limit: > 0] older frames hardly count: 0.27 is 16 frames at 60 a second
+     elapsed, last   [units: seconds] [limit: > 0] how long this frame and the last one take, from one picture to the
+                     next. The average then follows changes as fast at any rate of frames */
 SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, float elapsed, float last,
                                         const char **why);
 
@@ -1199,14 +1207,14 @@ SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
 /* Sets the members that surfels are made with, except desc->overhang, which the shader has:
    ssgi_gl_desc.surfel.overhang.
-   Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits it asks for.
+   Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits the mesh needs.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
      mesh_to_view   as source.to_view; NULL: frame->mesh stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          const float *mesh_to_view, const char **why);
 
 /* Sets frame->dipole.
-     unit   [limit: > 0] view units in the dipole's unit of length (0.001 when it is in mm and the scene in m) */
+     unit   [limit: > 0] view units in the dipole's unit of length (0.001 if that is mm and the scene is in m) */
 SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why);
 
 /* Sets frame->harmonics.
@@ -1216,19 +1224,20 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why);
 
-/* The extra cameras (desc.gather.views): the uniform block "ssgi_views", binding 1. Their hardware depths are slices of
-   one array texture, t_ssgi_views: layer j of camera v is slice v * view_layers + j, from texel 0,0 on. A camera may
-   use a part of its slice. */
+/* The extra cameras (desc.gather.views): the uniform block "ssgi_views", binding 1. Their hardware depths are in one
+   array texture, t_ssgi_views: depth layer j of camera v is its layer v * view_layers + j, from texel 0,0 on. A camera
+   may use a part of that layer. */
 typedef struct ssgi_gl_views {
     float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
-    float from[4][16];  /* and back */
+    float from[4][16];  /* the inverse of to */
     float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
     float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: a point
-                           that lies in front of a surface by less is not taken to be visible; 0 */
+                           that is less in front of a surface does not count as visible; 0 */
 } ssgi_gl_views;
 
 /* Sets camera i of 0..3: view and extra_world_to_view are those of the extra camera. An oblique view is refused. With a
-   bounce give a perspective view, whatever yours is: the camera's emitters are packed as one of perspective has them.
+   bounce it must be a perspective view, whatever yours is: the extra camera's emitters are packed as a perspective
+   camera's are.
      matrices   [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
@@ -1263,8 +1272,8 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
                                        const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why);
 
-/* Sets frame->sent to a radiance such that half of all light is sent by surfels that send as much or more, in their
-   largest component. frame->sent stays where none sends a radiance above 1e-30.
+/* Sets frame->sent to a radiance such that surfels of this radiance or more, in their largest component, send half of
+   all light. frame->sent stays as it is if no surfel sends a radiance above 1e-30.
      surfels    with their colours as yet unlit [limit: finite]
      lights     rows of t_ssgi_lights that light them, unshadowed; a SPOT lights within its map [limit: finite]
      sky        mean radiance of the environment [limit: >= 0, finite; NULL: black] */
@@ -1314,13 +1323,13 @@ extern "C" {
 
 /* ==== >>library ===================================================================================================
 
-   Entries are whole functions, in the order in which GLSL wants them; constants, structs and globals are entries too.
+   Entries are whole functions, in the order in which GLSL wants them; constants, structs and globals are entries, too.
    The emitter keeps an entry if its name occurs in an entry that it keeps and that stands further down (>>passes names
    main_*), and if the condition `when` holds (NULL: always): entries of one name are alternatives, and exclude each
    other. Conditions, of #if and #elif lines, too, are GLSL's. They name fields of the desc as macros, SSGI_THICKNESS
    for desc.gather.thickness, and their values, SSGI_THICKNESS_SLABS for SSGI_GL_THICKNESS_SLABS. The emitter resolves
-   these lines, and none reaches the shader. Your textures are fetched at ", pixel + u_ssgi_origin, 0": where they are
-   arrays (desc.input.array) the emitter puts the slice in. make glsl-out DIR=d writes the library as files that
+   these lines, and none reaches the shader. Your textures are fetched at ", pixel + u_ssgi_origin, 0": if they are
+   arrays (desc.input.array), the emitter puts the layer in. make glsl-out DIR=d writes the library as files that
    editors read. */
 typedef struct ssgi_gl__code {
     const char *name, *when;
@@ -1360,22 +1369,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The last bits of the phase say which: ssgi_gl_phase. */
+/* The last four bits of frame.phase choose the pixel that is gathered: ssgi_gl_phase. */
 { "ssgi_turn", NULL, __LINE__ + 1,
-    "ivec2 ssgi_turn(int bit) { // which pixel of every 2x2 has its turn, by two bits from that one on\n"
+    "ivec2 ssgi_turn(int bit) { // the pixel of every 2x2 whose turn it is, by two bits of the phase, from `bit` on\n"
     "    int turn = int(16777216.0 * u_ssgi_phase) >> bit;\n"
     "    return ivec2(turn, turn + (turn >> 1)) & 1;\n"
     "}\n" },
 
 { "ssgi_turn_of_16", NULL, __LINE__ + 1,
-    "ivec2 ssgi_turn_of_16() { // which pixel of every 4x4: any four frames in a row take one of each 2x2 of it\n"
+    "ivec2 ssgi_turn_of_16() { // the pixel of every 4x4 whose turn it is: four frames visit each 2x2 of it once\n"
     "    return 2 * ssgi_turn(0) + ssgi_turn(2);\n"
     "}\n" },
 
 { "ssgi_gathered", NULL, __LINE__ + 1,
-    "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of that image stands for\n"
+    "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of the gather's image stands for\n"
     "#if SSGI_RESOLUTION == SSGI_RESOLUTION_HALF_IN_TURN\n"
-    "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel)); // texels beyond the image stay there\n"
+    "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel)); // a texel beyond the image stays so\n"
     "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
     "    return min(4 * texel + ssgi_turn_of_16(), max(u_ssgi_size - 1, 4 * texel));\n"
     "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER\n"
@@ -1387,9 +1396,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The space of the shaders begins at u_ssgi_decode.w in front of an orthographic camera's eye, as floats would lose
-   depth where that eye is far away: ssgi_gl_frame_init. Perspective cameras have 0 there, and the functions below
-   return what they get. */
+/* With an orthographic camera the shaders count depth from u_ssgi_decode.w instead of the eye, since floats would lose
+   precision if the eye is far away: ssgi_gl_frame_init. With a perspective camera they count from the eye, and the
+   functions below return their argument. */
 { "ssgi_own_depth", NULL, __LINE__ + 1,
     "float ssgi_own_depth(float z) { // returns a depth of your view space in the space of the shaders\n"
     "#if SSGI_ORTHOGRAPHIC\n"
@@ -1415,7 +1424,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_row_of_yours", NULL, __LINE__ + 1,
-    "vec4 ssgi_row_of_yours(vec4 row) { // turns a row that takes your view space into one of the shaders' space\n"
+    "vec4 ssgi_row_of_yours(vec4 row) { // turns a matrix's row for your view space into one for the shaders' space\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    row.w -= row.z * u_ssgi_decode.w;\n"
     "#endif\n"
@@ -1433,10 +1442,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_linear_depth", NULL, __LINE__ + 1,
-    "float ssgi_linear_depth(float z) { // returns the view depth of one of yours\n"
+    "float ssgi_linear_depth(float z) { // returns the shaders' depth for your depth z; SSGI_FAR: background\n"
     "    float own = ssgi_own_depth(z);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    if (z == 0.0) own = SSGI_FAR; // It is background where yours may be negative, too.\n"
+    "    if (z == 0.0) own = SSGI_FAR; // 0 is background even if your depths may be negative.\n"
     "#endif\n"
     "    return own > SSGI_NEAR && own < SSGI_FAR ? own : SSGI_FAR;\n"
     "}\n" },
@@ -1461,11 +1470,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u_ssgi_target & -2;\n"
     "}\n" },
 
-/* A texel of pass thickness holds a 2x2. Perspective: each pixel has a float of view depth, whose last 6 bits are
-   thickness instead. An orthographic camera may be so far away that these bits matter. There x is the whole view depth
-   of the first pixel, or of the nearest one if the first is background; y, z and w are for the others: their difference
-   to it in the first 24 bits of a float, then 2 bits of the first one's thickness, then the 6 bits of their own.
-   Thickness 0 is background, as are fetches beyond the picture. */
+/* A texel of pass thickness holds 2x2 pixels. With a perspective camera each pixel has a float of view depth, whose
+   last 6 bits hold the thickness instead. An orthographic camera may be so far away that depth needs these bits. With
+   it x is the whole view depth of the first pixel, or of the nearest one if the first is background; y, z and w are for
+   the other pixels: their difference to x in the first 24 bits of a float, then 2 bits of the first pixel's thickness,
+   then 6 bits of their own thickness. Thickness 0 is background, as are fetches beyond the picture. */
 { "ssgi_measured_texel", NULL, __LINE__ + 1,
     "// Returns view depth, and thickness in radii / 63, as pass thickness wrote them for a pixel of its texture.\n"
     "vec2 ssgi_measured_texel(ivec2 pixel) {\n"
@@ -1473,7 +1482,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_ORTHOGRAPHIC\n"
     "    uvec3 first = bits.yzw >> 6u & 3u;\n"
     "    float z = uintBitsToFloat(bits.x);\n"
-    "    bits.x = first.x | first.y << 2u | first.z << 4u; // a difference of 0, and its thickness\n"
+    "    bits.x = first.x | first.y << 2u | first.z << 4u; // the first pixel: difference 0, and its thickness\n"
     "#endif\n"
     "    bits.xy = (pixel.y & 1) == 0 ? bits.xy : bits.zw;\n"
     "    bits.x = (pixel.x & 1) == 0 ? bits.x : bits.y;\n"
@@ -1485,12 +1494,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_measured", NULL, __LINE__ + 1,
-    "vec2 ssgi_measured(ivec2 pixel) { // returns these for a pixel of the picture\n"
+    "vec2 ssgi_measured(ivec2 pixel) { // returns the same for a pixel of the picture\n"
     "    return ssgi_measured_texel(pixel + ssgi_measured_origin());\n"
     "}\n" },
 
 { "SSGI_MEASURED_ROUNDS", NULL, __LINE__ + 1,
-    "const float SSGI_MEASURED_ROUNDS = 4e-6; // the share by which packing changes a depth, at most\n" },
+    "const float SSGI_MEASURED_ROUNDS = 4e-6; // packing changes a depth by this share at most\n" },
 
 { "ssgi_depth", "SSGI_MEASURED", __LINE__ + 1,
     "float ssgi_depth(ivec2 pixel) { // returns the view depth at a pixel\n"
@@ -1531,7 +1540,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Returns view depths: of the back face nearest behind the visible surface, of the next front face, its back.\n"
+    "// Returns view depths: the nearest back face behind the visible surface, the next front face, its back face.\n"
     "vec3 ssgi_slabs(ivec2 pixel) {\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_BACK\n"
     "    vec3 z = vec3(texelFetch(t_ssgi_back, pixel + u_ssgi_origin, 0).x, 0.0, 0.0);\n"
@@ -1586,7 +1595,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_above_plane", NULL, __LINE__ + 1,
-    "// Returns how high a point stands above that plane: it is seen at that offset in pixels from P at view depth z.\n"
+    "// Returns the height above that plane of the point that is seen `offset` pixels from P, at view depth z.\n"
     "float ssgi_above_plane(vec4 plane, vec2 offset, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return plane.x * offset.x + (plane.y * offset.y + (plane.z * z + plane.w));\n"
@@ -1596,7 +1605,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_screen", NULL, __LINE__ + 1,
-    "// Returns how many pixels a small step from P along a direction covers, per unit of length.\n"
+    "// Returns how many pixels a small way from P along a direction covers, per unit of length.\n"
     "vec2 ssgi_screen(vec3 P, vec3 direction) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return direction.xy * u_ssgi_project.xy;\n"
@@ -1615,15 +1624,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sphere", NULL, __LINE__ + 1,
-    "// Returns the corner, 0 or 1 along x and y, of a sphere's pixels beyond the near depth; empty: all are one.\n"
-    "// Unless normal is 0, only the half before its disc counts.\n"
+    "// Returns a corner, 0 lower or 1 upper along x and y, of the pixels that a sphere covers beyond the near\n"
+    "// depth: all corners are one if it covers none. Unless normal is 0, only the half before its disc counts.\n"
     "vec2 ssgi_sphere(vec4 ball, vec3 normal, vec2 corner) {\n"
     "    float near = ssgi_own_depth(u_ssgi_near_depth);\n"
     "    float z = -ball.z;\n"
     "    float radius = ball.w;\n"
     "    float deep = radius * length(normal.xy);\n"
     "    if (z + (normal.z > 0.0 ? deep : radius) <= near) return vec2(0.0);\n"
-    "    // Axes are mirrored so that the bound is the upper one.\n"
+    "    // For a lower bound an axis is mirrored, so that it becomes an upper bound.\n"
     "    vec2 side = (corner * 2.0 - 1.0) * sign(u_ssgi_project.xy);\n"
     "    vec2 x = side * ball.xy;\n"
     "    vec2 facing = side * normal.xy;\n"
@@ -1633,19 +1642,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 disc = x + radius * sqrt(normal.yx * normal.yx + normal.z * normal.z);\n"
     "    vec2 away = facing;\n"
     "#else\n"
-    "    // It is the slope of the tangent, or where the near depth cuts the sphere.\n"
+    "    // The edge is a slope: of the tangent, or of the point where the near depth cuts the sphere.\n"
     "    vec2 squared = x * x + z * z;\n"
-    "    vec2 off = squared - radius * radius;\n"
-    "    vec2 tangent = sqrt(max(off, 0.0));\n"
+    "    vec2 outside = squared - radius * radius;\n"
+    "    vec2 tangent = sqrt(max(outside, 0.0));\n"
     "    vec2 rise = z * tangent - x * radius;\n"
     "    vec2 edge = mix((x + chord) / near, (x * tangent + z * radius) / rise,\n"
     "        greaterThan(rise * tangent, near * squared));\n"
     "    vec2 plane = x * facing - z * normal.z;\n"
-    "    vec2 wide = sqrt(max(off * normal.yx * normal.yx + plane * plane, 0.0));\n"
+    "    vec2 wide = sqrt(max(outside * normal.yx * normal.yx + plane * plane, 0.0));\n"
     "    vec2 disc = (x * z - radius * radius * normal.z * facing + radius * wide) / ((z - deep) * (z + deep));\n"
     "    vec2 away = z - deep > near ? facing + disc * normal.z : vec2(0.0);\n"
     "#endif\n"
-    "    // Where a tangent touches the other half, the disc's counts.\n"
+    "    // If the tangent touches the other half, the disc's edge counts.\n"
     "    edge = mix(edge, min(edge, disc), lessThan(away, vec2(0.0)));\n"
     "    return side * edge * u_ssgi_project.xy + u_ssgi_project.zw;\n"
     "}\n" },
@@ -1783,7 +1792,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(mix(lower_left, lower_right, place.x), mix(upper_left, upper_right, place.x), place.y);\n"
     "}\n" },
 
-/* ---- Pass emitters packs a surface into 64 bits, so that a sample fetches it at once. Radiance is m * 2^(e - 24),
+/* ---- Pass emitters packs a surface into 64 bits, so that a sample reads it by one fetch. Radiance is m * 2^(e - 24),
    with 9 bits of m a channel and 5 of e. View depth has 6 bits of its float's exponent, from 2^-20 on, and 14 of its
    mantissa. The normal has 6 bits of each octahedral coordinate. */
 
@@ -1794,12 +1803,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_unpack_depth", NULL, __LINE__ + 1,
-    "float ssgi_unpack_depth(uint bits) { // returns the view depth that it packed\n"
+    "float ssgi_unpack_depth(uint bits) { // returns the view depth that pass emitters packed\n"
     "    return bits < 0xfffff000u ? uintBitsToFloat(((bits >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_unpack_normal", NULL, __LINE__ + 1,
-    "vec3 ssgi_unpack_normal(uint bits) { // returns the normal that it packed; its length is not 1\n"
+    "vec3 ssgi_unpack_normal(uint bits) { // returns the normal that pass emitters packed; its length is not 1\n"
     "    return ssgi_octahedral_decode((vec2(float(bits & 63u), float((bits >> 6u) & 63u)) - 32.0) / 31.0);\n"
     "}\n" },
 
@@ -1807,7 +1816,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Packs radiance in [0, 65408] as three mantissas of 9 bits and one exponent.\n"
     "uint ssgi_pack_radiance(vec3 radiance) {\n"
     "    radiance = clamp(radiance, 0.0, 65408.0);\n"
-    "    // Times 1 + 2^-10, as a mantissa that would round to 512 belongs to the next exponent.\n"
+    "    // The factor is 1 + 2^-10, since a mantissa that would round to 512 belongs to the next exponent.\n"
     "    float most = max(max(radiance.x, radiance.y), max(radiance.z, 6.1035156e-5)) * 1.0009775;\n"
     "    uint exponent = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
     "    uvec3 mantissas = min(uvec3(radiance * uintBitsToFloat((151u - exponent) << 23u) + 0.5), uvec3(511u));\n"
@@ -1815,7 +1824,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_place", NULL, __LINE__ + 1,
-    "// A view depth in [1e-6, 1e13] keeps 3e-5 of itself, a normal is kept to 4 degrees.\n"
+    "// Packs a view depth in [1e-6, 1e13] and a normal. The errors are 3e-5 of the depth and 4 degrees.\n"
     "uint ssgi_pack_place(float z, vec3 normal) {\n"
     "    uvec2 square = uvec2(round(ssgi_octahedral(normal) * 31.0) + 32.0);\n"
     "    uint depth = ((floatBitsToUint(clamp(z, 1e-6, 1e13)) + 256u) >> 9u) - (107u << 14u);\n"
@@ -1834,7 +1843,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_segment_length; // of the segment that pass lights tests, in view units\n" },
 
 { "ssgi_measured_width", NULL, __LINE__ + 1,
-    "float ssgi_measured_width(float thickness) { // returns a thickness that ssgi_measured gave in view units\n"
+    "float ssgi_measured_width(float thickness) { // returns a thickness of ssgi_measured in view units\n"
     "    float width = thickness * (u_ssgi_radius / 63.0);\n"
     "#if SSGI_PASS == SSGI_PASS_LIGHTS\n"
     "    return min(width, 2.0 * ssgi_segment_length);\n"
@@ -1864,8 +1873,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slab_thickness", NULL, __LINE__ + 1,
-    "// Thickness of the slabs that begin at z, within least .. radius. Sheets, which show their back face, and\n"
-    "// surfaces without one have ssgi_thickness(), since points would step over thinner ones.\n"
+    "// Thickness of the slabs that begin at z, within least .. radius. Sheets, which are their own back face, and\n"
+    "// surfaces without a back face have ssgi_thickness(), since points would step over thinner ones.\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
     "    bvec2 closed = bvec2(ssgi_closed(z.x, back.x), ssgi_closed(z.y, back.y));\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, closed), u_ssgi_radius), least);\n"
@@ -1878,11 +1887,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* ---- pass thickness: a surface is taken to be as thick as it is wide in the picture. From the first pixel of each 2x2
-   ssgi_run goes left, right, down and up to where the surface drops away; the width is the shorter of the two sums. A
-   run reaches half the radius, or SSGI_LONGEST where that is more. If a probe finds its end, the surface ended between
-   that probe and the last one, which stood half as far: the half counts, so that thin things are not taken for too
-   thick, and more samples do not darken the surfaces behind them. A run that finds no end counts as a radius. The other
-   three pixels share the width if they lie in the first one's plane, and have SSGI_OTHER if they do not. */
+   ssgi_run goes left, right, down and up until the surface drops away; the width is the lesser of left + right and down
+   + up. A run reaches half the radius, or SSGI_LONGEST if that is more. If a probe finds the surface's end, the end
+   lies between this probe and the nearer one at half its distance. Half the distance counts, so that thin things do not
+   become too thick, and more samples do not darken the surfaces behind them. A run that finds no end counts as a
+   radius. The other three pixels get the same width if they lie in the first pixel's plane, else SSGI_OTHER. */
 
 { "SSGI_THINNEST", NULL, __LINE__ + 1,
     "const float SSGI_THINNEST = 0.02; // No surface is thinner than this share of the radius.\n" },
@@ -1897,7 +1906,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_LONGEST = 32.0; // pixels that a run reaches at least\n" },
 
 { "SSGI_STEEPEST", NULL, __LINE__ + 1,
-    "const float SSGI_STEEPEST = 2.0; // footprints a pixel\n" },
+    "const float SSGI_STEEPEST = 2.0; // of the depth a pixel, in footprints: see ssgi_slope\n" },
 
 { "ssgi_flat_depth", NULL, __LINE__ + 1,
     "// Returns depth, or one over depth in perspective: linear in the pixel on a plane.\n"
@@ -1910,12 +1919,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Two pixels of one line with p tell on which side p's surface goes on, as p may be the first of it behind an edge.
-   Where neither side has a line, as on leaves, the lesser difference counts, and none if both are steep and differ. On
-   14 scenes by seed hsao has an error of .4022; by lesser differences alone .4035, by normals .4016. */
+/* The pixel may be its surface's first beside an edge. The surface goes on to the side on which the next two pixels lie
+   on a line with it. If neither side has a line (leaves), the lesser difference counts, or 0 if both are steep and
+   differ. On 14 scenes by seed hsao has a relative error of .4022; with the lesser difference alone .4035, with normals
+   .4016. */
 { "ssgi_slope", NULL, __LINE__ + 1,
-    "// Returns how much ssgi_flat_depth grows a pixel along a direction of the picture. At the pixel it is `here`,\n"
-    "// at the next pixel `next`. More than `steep` is trusted only if both sides agree.\n"
+    "// Returns how much ssgi_flat_depth grows per pixel along a direction of the picture. It is `here` at the\n"
+    "// pixel and `next` at the next one. A growth of more than `steep` counts only if both sides agree.\n"
     "float ssgi_slope(ivec2 pixel, ivec2 way, float here, float next, float steep) {\n"
     "    float last = ssgi_flat_depth(pixel - way);\n"
     "    float ahead = next - here;\n"
@@ -1927,7 +1937,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs(lesser) < steep || abs(ahead - behind) < abs(lesser) ? lesser : 0.0;\n"
     "}\n" },
 
-/* It needs no normals, which would double the bytes that the pass reads. */
+/* The plane comes from depth alone: normals would double the bytes that the pass reads. */
 { "ssgi_facet", NULL, __LINE__ + 1,
     "// The plane of the surface at P by depth alone, in the form of ssgi_plane. z: view depths of pixel and its next\n"
     "// pixels along x and along y.\n"
@@ -1950,8 +1960,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_end", NULL, __LINE__ + 1,
-    "// Whether the surface at P ends so many pixels away: -1 it drops below the tangent plane there, away from the\n"
-    "// viewer, or nothing is seen; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
+    "// Whether the surface at P ends at an offset: -1 it drops below the tangent plane, away from the viewer, or\n"
+    "// background is seen there; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
     "int ssgi_end(ivec2 pixel, ivec2 offset, vec3 P, vec4 plane, float slack) {\n"
     "    float z = ssgi_depth(pixel + offset);\n"
     "    float height = ssgi_above_plane(plane, vec2(offset), z);\n"
@@ -1961,8 +1971,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_run", NULL, __LINE__ + 1,
-    "// How many pixels the surface at P goes on along a direction of the picture until it drops away. Where another\n"
-    "// surface rises above it, and at the picture's edge, its end is hidden, and counts as not found.\n"
+    "// Returns for how many pixels the surface at P goes on along a direction of the picture until it drops away.\n"
+    "// If another surface or the picture's edge hides the end, it counts as not found, which returns `pixels`.\n"
     "float ssgi_run(ivec2 pixel, ivec2 way, vec3 P, vec4 plane, float footprint, float pixels) {\n"
     "    float run = pixels;\n"
     "    float reach = max(0.5 * pixels, SSGI_LONGEST);\n"
@@ -1976,8 +1986,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slab_widths", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Of a 2x2, pixels with a back face are as thick as that is far; others keep their width, but for sheets,\n"
-    "// which show their back face and have half of it.\n"
+    "// In a 2x2 a pixel is as thick as the way to its back face. Without a back face it keeps its width; a sheet,\n"
+    "// which is its own back face, keeps half of it.\n"
     "vec4 ssgi_slab_widths(ivec2 pixel, vec4 z, vec4 width) {\n"
     "    for (int i = 0; i < 4; ++i) {\n"
     "        float back = ssgi_slabs(pixel + ivec2(i & 1, i >> 1)).x;\n"
@@ -1987,7 +1997,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_measured", NULL, __LINE__ + 1,
-    "// of a 2x2 view depths, and thicknesses in [0, 1] of the radius\n"
+    "// Packs the view depths and the thicknesses of a 2x2, these in [0, 1] of the radius.\n"
     "uvec4 ssgi_pack_measured(vec4 z, vec4 width) {\n"
     "    uvec4 thickness = uvec4(width * 63.0 + 0.5);\n"
     "#if SSGI_ORTHOGRAPHIC\n"
@@ -2018,9 +2028,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float y = ssgi_run(pixel, ivec2(0, 1), P, plane, footprint, pixels);\n"
     "        x += ssgi_run(pixel, ivec2(-1, 0), P, plane, footprint, pixels);\n"
     "        y += ssgi_run(pixel, ivec2(0, -1), P, plane, footprint, pixels);\n"
-    "        vec4 off = vec4(0.0, ssgi_above_plane(plane, vec2(1.0, 0.0), z.y),\n"
+    "        vec4 height = vec4(0.0, ssgi_above_plane(plane, vec2(1.0, 0.0), z.y),\n"
     "            ssgi_above_plane(plane, vec2(0.0, 1.0), z.z), ssgi_above_plane(plane, vec2(1.0), z.w));\n"
-    "        bvec4 same = lessThan(abs(off), vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
+    "        bvec4 same = lessThan(abs(height), vec4(SSGI_LIFTED * u_ssgi_radius + footprint));\n"
     "        width = mix(width, vec4(min(min(x, y) * footprint, u_ssgi_thickness_limit)), same);\n"
     "    }\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_WIDTH\n"
@@ -2038,7 +2048,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_n; // the unit normal of the receiver\n" },
 
 { "ssgi_point", NULL, __LINE__ + 1,
-    "// Returns the view-space point of a pixel and depth of camera view; -1 is the main one.\n"
+    "// Returns the view-space point at a pixel and a depth of camera `view`; view -1 is the main camera.\n"
     "vec3 ssgi_point(int view, ivec2 pixel, float z) {\n"
     "#if SSGI_VIEWS\n"
     "    float unit = u_ssgi_view_decode[max(view, 0)].w > 0.0 ? 1.0 : z;\n"
@@ -2049,7 +2059,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_emitter", NULL, __LINE__ + 1,
-    "// This is the radiance that the occluder of a sample sends to the receiver; w: its distance from the sample.\n"
+    "// The radiance that a sample's occluder sends to the receiver; w: its squared distance from the segment.\n"
     "vec4 ssgi_emitter;\n" },
 
 { "ssgi_emitter_place", NULL, __LINE__ + 1,
@@ -2059,7 +2069,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "ivec2 ssgi_emitter_pixel; // the pixel that shows the occluder of a sample\n" },
 
 { "ssgi_emitter_texel", NULL, __LINE__ + 1,
-    "// Returns the surface that a layer of camera view has at a pixel: its radiance; its normal and view depth.\n"
+    "// Returns the packed surface of a layer of camera `view` at a pixel: its radiance; its view depth and normal.\n"
     "uvec2 ssgi_emitter_texel(int view, ivec2 pixel, int layer) {\n"
     "#if SSGI_VIEWS\n"
     "    if (view >= 0) return texelFetch(t_ssgi_view_emitters, ivec3(pixel, view * SSGI_VIEW_LAYERS + layer), 0).xy;\n"
@@ -2068,7 +2078,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_radiance_from", "SSGI_BOUNCE != SSGI_BOUNCE_PATCH", __LINE__ + 1,
-    "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) { // radiance that the receiver gets from a surface there\n"
+    "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) { // radiance that the receiver gets from it at place\n"
     "#if !SSGI_TWO_SIDED\n"
     "    if (!(dot(ssgi_unpack_normal(emitter.y), ssgi_P - place) > 0.0)) return vec3(0.0);\n"
     "#endif\n"
@@ -2076,8 +2086,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_radiance_from", "SSGI_BOUNCE == SSGI_BOUNCE_PATCH", __LINE__ + 1,
-    "// Radiance that the receiver gets from a patch of area pi r^2 / N at place [SSDO09 3], without the factor pi /\n"
-    "// N.\n"
+    "// Radiance that the receiver gets from a patch of area pi r^2 / N at place [SSDO09 3], without the factor pi/N.\n"
     "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) {\n"
     "    vec3 offset = ssgi_P - place;\n"
     "    float squared = max(dot(offset, offset), 1e-30);\n"
@@ -2093,7 +2102,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_fade_weight", NULL, __LINE__ + 1,
-    "float ssgi_fade_weight(vec3 place) { // how much an occluder counts that the depth buffer has at place\n"
+    "float ssgi_fade_weight(vec3 place) { // the weight of an occluder that the depth buffer has at place\n"
     "    vec3 offset = place - ssgi_P;\n"
     "    float radii = length(offset) / u_ssgi_radius;\n"
     "    float weight = 1.0;\n"
@@ -2117,7 +2126,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_surface", NULL, __LINE__ + 1,
-    "float ssgi_surface(int view, ivec2 pixel, int layer) { // the view depth of a layer of camera view at a pixel\n"
+    "float ssgi_surface(int view, ivec2 pixel, int layer) { // the view depth of camera `view`'s layer at a pixel\n"
     "#if SSGI_VIEWS\n"
     "    ivec3 texel = ivec3(pixel, view * SSGI_VIEW_LAYERS + layer);\n"
     "    if (view >= 0) return ssgi_view_depth(u_ssgi_view_decode[view], texelFetch(t_ssgi_views, texel, 0).x);\n"
@@ -2185,7 +2194,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_solid_occludes", NULL, __LINE__ + 1,
-    "// Returns how much the solid that holds depth at a pixel of camera view counts.\n"
+    "// Returns the weight of a solid in which `depth` lies at a pixel of camera `view`.\n"
     "float ssgi_solid_occludes(ssgi_solid solid, int view, ivec2 pixel, float depth) {\n"
     "#if SSGI_PASS == SSGI_PASS_HSAO && SSGI_MARCH_TERMS != SSGI_MARCH_TERMS_RAYS\n"
     "    ssgi_offer_rise(ssgi_point(view, pixel, solid.front));\n"
@@ -2203,10 +2212,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occupancy", NULL, __LINE__ + 1,
-    "// Where depth lies at a pixel of camera view. Above 0: inside a solid, which reaches from an odd layer to the\n"
-    "// next; -1: before the visible surface by more than the slack; 0: that is unknown.\n"
+    "// Where `depth` lies at a pixel of camera `view`. Above 0: inside a solid of this weight, which reaches from\n"
+    "// an odd layer to the next; -1: in front of the visible surface by more than the slack; 0: unknown.\n"
     "float ssgi_occupancy(int view, ivec2 pixel, float depth, int layers, float slack) {\n"
-    "    // A solid whose far side no layer has is as thick as ssgi_thickness(), or endless; the rest is unknown.\n"
+    "    // A solid whose back no layer has is as thick as ssgi_thickness(), or endless; beyond it all is unknown.\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
     "    for (int layer = 0; layer < layers; layer += 2) {\n"
@@ -2218,18 +2227,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (!known && depth <= solid.front - slack) found = -1.0;\n"
     "        if (!known && depth > solid.front && depth < back)\n"
     "            found = ssgi_solid_occludes(solid, view, pixel, depth);\n"
-    "        // Within the slack before a surface it is unknown, too.\n"
+    "        // Places less than the slack in front of a surface are unknown, too.\n"
     "        known = known || depth < back || solid.back >= SSGI_FAR;\n"
     "    }\n"
     "    return found;\n"
     "}\n" },
 
 { "ssgi_occupancy_of_view", NULL, __LINE__ + 1,
-    "// Returns where the probe lies as extra camera view sees it, as ssgi_occupancy says; 0 out of its picture.\n"
+    "// Returns ssgi_occupancy of the probe for extra camera `view`; 0 outside that camera's picture.\n"
     "float ssgi_occupancy_of_view(int view, vec3 probe) {\n"
     "    vec3 shift = u_ssgi_view_to[view][3].xyz;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w; // Of probe.z it would round each point by itself.\n"
+    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w; // Subtracted from probe.z it would round each.\n"
     "#endif\n"
     "    vec3 seen = mat3(u_ssgi_view_to[view]) * probe + shift;\n"
     "    float unit = u_ssgi_view_decode[view].w > 0.0 ? 1.0 : seen.z;\n"
@@ -2240,7 +2249,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occlusion_at", "SSGI_LAYERS > 1 || SSGI_VIEWS", __LINE__ + 1,
-    "float ssgi_occlusion_at(vec3 probe) { // how much the solid counts that the probe is in; 0: it is in none\n"
+    "float ssgi_occlusion_at(vec3 probe) { // the weight of the solid that the probe is in; 0: it is in none\n"
     "    ivec2 pixel = ivec2(floor(ssgi_project(probe)));\n"
     "#if SSGI_BOUNCE\n"
     "    ssgi_emitter = vec4(0.0, 0.0, 0.0, SSGI_FAR);\n"
@@ -2249,7 +2258,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float found = probe.z < 0.0 && ssgi_inside(pixel) ? ssgi_occupancy(-1, pixel, -probe.z, SSGI_LAYERS, 0.0)\n"
     "        : 0.0;\n"
     "#if SSGI_VIEWS\n"
-    "    for (int view = 0; view < SSGI_VIEWS; ++view) { // one camera that sees it unoccluded outvotes all others\n"
+    "    for (int view = 0; view < SSGI_VIEWS; ++view) { // a camera that sees it unoccluded decides\n"
     "        float known = ssgi_occupancy_of_view(view, probe);\n"
     "        found = min(found, known) < 0.0 ? -1.0 : max(found, known);\n"
     "    }\n"
@@ -2276,7 +2285,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_in_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Whether depth lies in a pixel's first slab, which begins at z, or in its second, whose front z becomes.\n"
+    "// Whether `depth` lies in a pixel's first slab, which begins at z, or in its second: z becomes its front then.\n"
     "bool ssgi_in_slabs(ivec2 pixel, float depth, inout float z) {\n"
     "    vec3 back = ssgi_slabs(pixel);\n"
     "    vec2 front = vec2(z, back.y);\n"
@@ -2295,7 +2304,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occlusion_at", "!(SSGI_LAYERS > 1 || SSGI_VIEWS)", __LINE__ + 1,
-    "// How much the surface counts that the probe is in, behind its front; 0: it is in none, off screen, or\n"
+    "// Returns the weight of the surface within whose thickness the probe lies; 0: it lies in none, off screen, or\n"
     "// behind the eye.\n"
     "float ssgi_occlusion_at(vec3 probe) {\n"
     "    ivec2 pixel = ivec2(floor(ssgi_project(probe)));\n"
@@ -2307,7 +2316,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS == SSGI_THICKNESS_SOLID\n"
     "    bool found = -probe.z > z;\n"
     "#endif\n"
-    "    bool seen = ssgi_inside(pixel); // not behind &&, where compilers read the uniforms anew for every point\n"
+    "    bool seen = ssgi_inside(pixel); // not after &&: there compilers read the uniforms anew for every point\n"
     "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
     "    float end_ = z + ssgi_thickness();\n"
     "#elif SSGI_THICKNESS == SSGI_THICKNESS_WIDTH\n"
@@ -2444,7 +2453,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sh_quarter", "SSGI_BANDS > 2", __LINE__ + 1,
-    "// Turns those bands about x by a quarter, forth (way 1) or back (-1).\n"
+    "// Turns the same bands about x by a quarter of a turn, forward (way 1) or back (-1).\n"
     "void ssgi_sh_quarter(inout ssgi_sh harmonics, float way) {\n"
     "    float flat_ = harmonics.word2.x;\n"
     "    harmonics.word2.x = 0.5 * flat_ - 0.86602540 * harmonics.word1.z;\n"
@@ -2468,8 +2477,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    harmonics.word0.yzw = (rotation * harmonics.word0.wyz).yzx;\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    // rotation = Rz(phi) Ry(theta) Rz(psi), and Ry is Rz between two quarters about x. Near a pole only phi +\n"
-    "    // psi or phi - psi is defined (gimbal lock), so psi comes from that sum.\n"
+    "    // rotation = Rz(phi) Ry(theta) Rz(psi), and Ry is an Rz between two quarter turns about x. Near a pole\n"
+    "    // only phi + psi or phi - psi is defined (gimbal lock), so psi comes from that sum.\n"
     "    float squared = dot(rotation[2].xy, rotation[2].xy);\n"
     "    vec2 phi = squared > 1e-30 ? rotation[2].xy * inversesqrt(squared) : vec2(1.0, 0.0);\n"
     "    vec2 psi = rotation[2].z < 0.0 ? ssgi_sh_complex(vec2(rotation[1].y - rotation[0].x,\n"
@@ -2491,10 +2500,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return packHalf2x16(values);\n"
     "#endif\n"
     "#if SSGI_DIALECT == SSGI_DIALECT_330 || SSGI_DIALECT == SSGI_DIALECT_410\n"
-    "    uvec2 bits = floatBitsToUint(values); // these languages lack it; this rounds to nearest even\n"
+    "    uvec2 bits = floatBitsToUint(values); // these languages lack packHalf2x16; this rounds to nearest even\n"
     "    uvec2 magnitudes = bits & 0x7fffffffu;\n"
     "    uvec2 halves = (magnitudes - 0x38000000u + 0xfffu + ((magnitudes >> 13u) & 1u)) >> 13u;\n"
-    "    // This sum rounds below 2^-14.\n"
+    "    // Values below 2^-14 are rounded by this sum.\n"
     "    uvec2 small = floatBitsToUint(uintBitsToFloat(magnitudes) + 0.5) - 0x3f000000u;\n"
     "    halves = uvec2(magnitudes.x < 0x38800000u ? small.x : halves.x,\n"
     "        magnitudes.y < 0x38800000u ? small.y : halves.y) | ((bits >> 16u) & 0x8000u);\n"
@@ -2646,7 +2655,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_ambient", NULL, __LINE__ + 1,
-    "// Ambient visibility, which is coefficient 0 but for a factor.\n"
+    "// Ambient visibility: coefficient 0 times a factor.\n"
     "vec3 ssgi_ambient(ssgi_coefficients coefficients) {\n"
     "    vec3 ambient = vec3(coefficients.channel[0].word0.x,\n"
     "        coefficients.channel[1 % coefficients.channel.length()].word0.x,\n"
@@ -2686,10 +2695,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_lit_at", NULL, __LINE__ + 1,
-    "vec3 ssgi_lit_at; // the place that your harmonics are asked about\n" },
+    "vec3 ssgi_lit_at; // the place for which your harmonics are called\n" },
 
 { "ssgi_incoming", "SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM", __LINE__ + 1,
-    "// Irradiance by your coefficients i to i + count - 1: each channel's transfer has a lane for each of them.\n"
+    "// Irradiance by your coefficients i to i + count - 1; lane k of red, green and blue is the transfer of i + k.\n"
     "vec3 ssgi_incoming(int i, int count, vec4 red, vec4 green, vec4 blue) {\n"
     "    vec3 irradiance = vec3(0.0);\n"
     "    vec3 place = ssgi_to_yours(ssgi_lit_at);\n"
@@ -2729,16 +2738,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_SUN = 0.5; // a light whose kind is below this is a sun\n" },
 
 { "SSGI_POINT", NULL, __LINE__ + 1,
-    "const float SSGI_POINT = 1.5; // below this: a point light or a spot\n" },
+    "const float SSGI_POINT = 1.5; // from SSGI_SUN to this: a point light\n" },
 
 { "SSGI_SPOT", NULL, __LINE__ + 1,
-    "const float SSGI_SPOT = 2.5; // below this: a spot light or a point; above it a virtual point light\n" },
+    "const float SSGI_SPOT = 2.5; // from SSGI_POINT to this: a spot; above it: a virtual point light\n" },
 
 { "ssgi_light", NULL, __LINE__ + 1,
     "struct ssgi_light { // how a row of t_ssgi_lights shines on a point\n"
     "    vec4 position, colour, facing;\n"
     "    vec3 way; // unit vector to the light\n"
-    "    float distance, falloff; // falloff is all that dims it but the receiver's cosine\n"
+    "    float distance, falloff; // falloff: all that dims the light except the receiver's cosine\n"
     "};\n" },
 
 { "ssgi_light_at", NULL, __LINE__ + 1,
@@ -2762,7 +2771,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float reach = light.position.w > SSGI_SUN ? min(u_ssgi_radius, light.distance) : u_ssgi_radius;\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_FILL\n"
     "    if (contact >= 0.0) reach = min(reach, contact);\n"
-    "    // The map decides on distances below a pixel.\n"
+    "    // Below the width of a pixel the map alone decides.\n"
     "    if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0;\n"
     "#endif\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
@@ -2771,7 +2780,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 start = ssgi_lift(P, normal);\n"
     "    vec3 along = light.way * reach;\n"
     "#if SSGI_SHADOW == SSGI_SHADOW_FILL\n"
-    "    // Short segments stay near the surfaces of a crease, whose depth whole pixels round.\n"
+    "    // A short segment stays near the surfaces of a crease, whose depths are known at whole pixels only.\n"
     "    if (contact >= 0.0) start = ssgi_lift(start, normal);\n"
     "#endif\n"
     "    random = fract(random + 0.61803399 * float(i)); // the golden ratio gives every light another offset\n"
@@ -2782,10 +2791,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_shadow", NULL, __LINE__ + 1,
-    "// Returns 1 where the map of light i shadows P. The map's texels are taken to lie below the surface by the bias\n"
-    "// that keeps a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map.\n"
-    "// contact returns how far along the ray to the light the map may see the plane itself, or an occluder\n"
-    "// that the bias loses; 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected].\n"
+    "// Returns 1 if the map of light i shadows P. A texel of the map counts as below its surface by a bias, which\n"
+    "// keeps a plane from shadowing itself: half the texel's diagonal times the plane's slope against the map.\n"
+    "// contact returns how far along the ray to the light the map may see the plane itself, or an occluder that\n"
+    "// the bias loses; 0 if it sees neither, -1 if no map sees P [SSDO09 section 5, corrected].\n"
     "float ssgi_shadow(int i, vec3 P, vec3 normal, ssgi_light light, float cosine, out float contact) {\n"
     "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0);\n"
     "    vec4 tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
@@ -2800,8 +2809,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 texel = floor(flat_ ? mapped.xy : mapped.xy / mapped.z);\n"
     "    contact = -1.0;\n"
     "    if (mapped.z <= 0.0 || texel.x < 0.0 || texel.y < 0.0 || texel.x >= tile.z || texel.y >= tile.w) return 0.0;\n"
-    "    float facing = dot(normal, axis.xyz); // ray is the length per depth.\n"
-    "    float ray = flat_ ? 1.0 : light.distance / mapped.z;\n"
+    "    float facing = dot(normal, axis.xyz);\n"
+    "    float ray = flat_ ? 1.0 : light.distance / mapped.z; // the length along the ray per depth in the map\n"
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * ray), u_ssgi_max_slope);\n"
     "    float width = light.facing.w * (flat_ ? 1.0 : mapped.z);\n"
     "    float bias = width * 0.70710678 * slope;\n"
@@ -2905,7 +2914,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sum += texelFetch(t_ssgi_direct, pixel + u_ssgi_origin, 0).xyz;\n"
     "#endif\n"
     "#if SSGI_CLAMP\n"
-    "    sum = clamp(sum, 0.0, 65408.0); // Infinity times 0 is no number.\n"
+    "    sum = clamp(sum, 0.0, 65408.0); // Infinity times 0 would be NaN.\n"
     "    sum *= min(u_ssgi_sent / max(dot(sum, vec3(0.2126, 0.7152, 0.0722)), 1e-6), 1.0); // The hue stays.\n"
     "#endif\n"
     "    vec3 normal = ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z));\n"
@@ -2926,8 +2935,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_light_harmonics", NULL, __LINE__ + 1,
     "// Irradiance by a light whose cap is projected onto harmonics and windowed. It is normalised, so that an\n"
-    "// unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One band knows\n"
-    "// no normals: every surface receives the mean over all of them.\n"
+    "// unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One band has\n"
+    "// no direction: every surface receives the mean over all normals.\n"
     "vec3 ssgi_light_harmonics(ssgi_light light, ssgi_coefficients coefficients, vec3 normal) {\n"
     "    float radius = light.colour.w / light.distance; // This is the sine of the cap's half-angle.\n"
     "    float cosine = light.position.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
@@ -2936,21 +2945,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        0.125 * (1.0 + cosine) * (5.0 * cosine * cosine - 1.0));\n"
     "    means *= u_ssgi_window;\n"
     "#if SSGI_BANDS == 1\n"
-    "    float open = 1.0;\n"
+    "    float unoccluded = 1.0;\n"
     "#else\n"
-    "    float open = 0.25 * means.x;\n"
-    "    open += 0.5 * means.y;\n"
+    "    float unoccluded = 0.25 * means.x;\n"
+    "    unoccluded += 0.5 * means.y;\n"
     "#endif\n"
     "#if SSGI_BANDS > 2\n"
-    "    open += 0.3125 * means.z;\n"
+    "    unoccluded += 0.3125 * means.z;\n"
     "#endif\n"
     "    ssgi_sh y = ssgi_sh_zonal(means * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), light.way);\n"
     "    vec3 irradiance;\n"
     "    for (int channel = 0; channel < 3; ++channel)\n"
     "        irradiance[channel] = ssgi_sh_dot(y, coefficients.channel[channel % coefficients.channel.length()])\n"
-    "            / open;\n"
+    "            / unoccluded;\n"
     "#if SSGI_RESIDUAL\n"
-    "    float lost = max(dot(normal, light.way), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, normal)) / open;\n"
+    "    float lost = max(dot(normal, light.way), 0.0)\n"
+    "        - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, normal)) / unoccluded;\n"
     "    irradiance += ssgi_ambient(coefficients) * lost;\n"
     "#endif\n"
     "    return light.colour.xyz * irradiance * light.falloff;\n"
@@ -3006,7 +3016,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_encode_for_filter", NULL, __LINE__ + 1,
-    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 normal) { // writes light as desc.light.restore says\n"
+    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 normal) { // returns light as desc.light.restore says\n"
     "#if !SSGI_RESTORE\n"
     "    return max(light, 0.0);\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
@@ -3045,12 +3055,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>gather: sampling around a pixel ========================================================================= */
 
 { "ssgi_sums", NULL, __LINE__ + 1,
-    "struct ssgi_sums { // shares are of the cosine-weighted hemisphere, attenuated\n"
+    "struct ssgi_sums { // A share is a part of the cosine-weighted hemisphere, attenuated over the distance.\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
     "    float all; // occluded share\n"
     "#endif\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
-    "    // the environment's occluded irradiance, over pi (slices) or over the unoccluded irradiance (points)\n"
+    "    // the environment's occluded irradiance, divided by pi (slices) or by the unoccluded irradiance (points)\n"
     "    vec3 dark;\n"
     "#elif SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_SH\n"
     "    ssgi_sh lobe; // the unoccluded part of the cosine lobe\n"
@@ -3061,7 +3071,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients bounce; // the cosine lobes of the occluders, times their albedo\n"
     "#endif\n"
     "#if SSGI_SEARCH == SSGI_SEARCH_SLICES && SSGI_BOUNCE\n"
-    "    float found, expected; // shares of the occluders that taps found (never 0) and of those expected\n"
+    "    float found, expected; // occluded shares: found by taps (never 0); expected besides, as taps miss some\n"
     "#endif\n"
     "};\n" },
 
@@ -3089,7 +3099,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reflected", "SSGI_OCCLUDED_EMITTERS", __LINE__ + 1,
-    "// Adds the last frame's coefficients of the surface at a pixel, times albedo and share [S3HO12 2.3].\n"
+    "// Adds the last frame's coefficients of the surface at a pixel [S3HO12 2.3]. albedo is already multiplied by\n"
+    "// the occluded share.\n"
     "void ssgi_reflected(inout ssgi_coefficients coefficients, ivec2 pixel, vec3 albedo) {\n"
     "    ssgi_coefficients last = ssgi_load_last(pixel + u_ssgi_target);\n"
     "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
@@ -3097,7 +3108,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reflected", "!SSGI_OCCLUDED_EMITTERS", __LINE__ + 1,
-    "// Adds the cosine lobe of a surface that is seen along direction, times albedo and share [S3HO12 eq. 5].\n"
+    "// Adds the cosine lobe of a surface that is seen along direction [S3HO12 eq. 5]. albedo is already multiplied\n"
+    "// by the occluded share.\n"
     "void ssgi_reflected(inout ssgi_coefficients coefficients, vec3 normal, vec3 direction, vec3 albedo) {\n"
     "    normal = normalize(normal);\n"
     "#if SSGI_TWO_SIDED\n"
@@ -3119,7 +3131,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
+/* ---- Points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]. Their lengths are distributed so that fewer of
+   them lie behind a far occluder, which attenuates it. */
 
 { "SSGI_KERNEL_TABLE", NULL, __LINE__ + 1,
     "#if !SSGI_UNIFORM_DIRECTIONS\n"
@@ -3141,14 +3154,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "struct ssgi_points { // where samples lie\n"
     "    vec3 start; // the lifted receiver\n"
     "    mat3 basis; // takes +z to the normal, after a turn by noise\n"
-    "    float offset; // is added to each length, modulo 1\n"
+    "    float offset; // is added to the length of each row of the kernel, modulo 1\n"
     "#if SSGI_KERNEL_TEXTURE\n"
     "    int row; // row of t_ssgi_kernel, a set of directions\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_points_of", NULL, __LINE__ + 1,
-    "ssgi_points ssgi_points_of(vec3 P, vec3 normal, vec2 random) { // also sets the receiver\n"
+    "ssgi_points ssgi_points_of(vec3 P, vec3 normal, vec2 random) { // also sets ssgi_P and ssgi_n\n"
     "#if SSGI_FADE || SSGI_RANGE_CHECK\n"
     "    ssgi_P = P;\n"
     "#elif SSGI_BOUNCE && (!SSGI_TWO_SIDED || SSGI_BOUNCE == SSGI_BOUNCE_PATCH || SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
@@ -3170,7 +3183,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_point_occlusion", NULL, __LINE__ + 1,
-    "// Returns how much the first occluded point of direction i counts, or 0. +z of direction is the normal.\n"
+    "// Returns the occlusion at the first occluded point along direction i, or 0. In direction +z is the normal.\n"
     "float ssgi_point_occlusion(ssgi_points points, int i, out vec3 direction) {\n"
     "#if SSGI_KERNEL_TEXTURE\n"
     "    vec4 entry = texelFetch(t_ssgi_kernel, ivec2(i, points.row), 0);\n"
@@ -3191,15 +3204,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Patches divide by the pdf, which is the cosine. Without this bound a sample near the horizon outshines all others. */
+/* With bounce PATCH a sample is divided by its pdf, the cosine. Without this lower bound of the cosine, one sample near
+   the horizon would be brighter than all others. */
 { "SSGI_GRAZING", NULL, __LINE__ + 1,
     "const float SSGI_GRAZING = 0.05; // Smaller cosines count as this one.\n" },
 
-/* Adds the light of the sample's occluder, ssgi_emitter. */
+/* Adds the light of ssgi_emitter, the occluder that the sample has found. */
 { "ssgi_add_bounce", "SSGI_BOUNCE && SSGI_PASS == SSGI_PASS_SSDO", __LINE__ + 1,
     "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float occlusion) {\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && !SSGI_UNIFORM_DIRECTIONS\n"
-    "    // A patch of pi r^2/N wants uniform directions, so the pdf divides.\n"
+    "    // The area pi r^2/N of a patch is for uniform directions. These follow the cosine, so the pdf divides it.\n"
     "    occlusion *= 0.5 / max(direction.z, SSGI_GRAZING);\n"
     "#endif\n"
     "    sums.bounce += ssgi_emitter.xyz * (occlusion / float(SSGI_DIRECTIONS));\n"
@@ -3228,10 +3242,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float occlusion = ssgi_point_occlusion(points, i, direction);\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM_DIRECTIONS\n"
-    "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // Each patch has pi r^2/N, not 2 cos of it.\n"
+    "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // before the weight: all patches are equal\n"
     "#endif\n"
     "#if SSGI_UNIFORM_DIRECTIONS\n"
-    "        float weight = 2.0 * direction.z; // A sample has 2 pi/N steradians; the cosine's integral is pi.\n"
+    "        float weight = 2.0 * direction.z; // the cosine, times 2 pi steradians over its integral, pi\n"
     "        occlusion *= weight;\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
@@ -3263,7 +3277,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_POINTS", __LINE__ + 1,
-    "// Returns the environment's light in the form of desc.light.restore; where nothing occludes it is exact.\n"
+    "// Returns the environment's light in the form that desc.light.restore names. Unoccluded light is exact, as only\n"
+    "// dark is sampled.\n"
     "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 normal) {\n"
     "#if !SSGI_RESTORE\n"
     "    return (1.0 - dark) * ssgi_open_light(P, normal);\n"
@@ -3274,10 +3289,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- the paper's march [HSAO08 3.1 to 3.3] */
+/* ---- the march of the paper [HSAO08 3.1 to 3.3] */
 
 { "ssgi_ray", NULL, __LINE__ + 1,
-    "// Returns the weight of the first occluded step on a ray from the lifted receiver; 0: no step is occluded.\n"
+    "// Returns the weight of the first occluded sample on a ray from the lifted receiver; 0 if none is occluded.\n"
     "float ssgi_ray(vec3 start, vec3 direction, float random) {\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
     "        float radii = (float(i) + random) / float(SSGI_SAMPLES);\n"
@@ -3287,10 +3302,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return 0.0;\n"
     "}\n" },
 
+/* Finds the horizon along tangent by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the sine of the
+   horizon's elevation, and the occlusion below it: the sum of the increments of H^2, each attenuated by the distance of
+   its occluder. beta shifts all samples along the ray, by that many spacings. */
 { "ssgi_horizon", NULL, __LINE__ + 1,
-    "// Finds the horizon along tangent by deflecting a ray toward the surface [HSAO08 fig. 4]. Returns H, the\n"
-    "// sine of its elevation, and the occlusion below, which sums the increments of H^2, each attenuated by its own\n"
-    "// distance. beta shifts the steps.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 normal, vec3 tangent, float beta) {\n"
     "    vec3 direction = tangent;\n"
     "    vec2 horizon = vec2(0.0);\n"
@@ -3336,9 +3351,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return horizon;\n"
     "}\n" },
 
+/* Returns the occlusion above the horizon H along a tangent [HSAO08 3.3, corrected]. The z^2 of its normal rays are
+   spread evenly over [H^2, 1]. */
 { "ssgi_above", NULL, __LINE__ + 1,
-    "// Returns the occlusion above H along a tangent, by normal rays spread evenly over z^2 in [H^2, 1] [HSAO08 3.3,\n"
-    "// corrected].\n"
     "float ssgi_above(vec3 start, vec3 normal, vec3 tangent, float H, vec2 random) {\n"
     "    float sum = 0.0;\n"
     "    for (int ray = 0; ray < SSGI_NORMAL_RAYS; ++ray) {\n"
@@ -3376,10 +3391,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_sums(sum / float(SSGI_DIRECTIONS));\n"
     "}\n" },
 
-/* ---- The walk: ssgi_walk_slice says how it goes. The normal is divided by the length of its projection onto the
-   slice, so that its dot product with an offset is the height above the tangent plane within the slice, exactly 0 on a
-   plane wherever texels lie. Most taps lie in the tangent plane or below it, so an arc is worked out only if a tap or
-   the last one rises. */
+/* ---- The walk along slices, which ssgi_walk_slice describes. The normal is divided by the length of its projection
+   onto the slice. Its dot product with an offset is then the height above the tangent plane within the slice, and it
+   is exactly 0 on a plane wherever texels lie. Most taps lie in the tangent plane or below it. So an arc is computed
+   only if this tap or the one before rises above that plane. */
 
 /* Returns a surfel's radius, view units [DSS14 section 3.1]. */
 { "ssgi_surfel_radius", NULL, __LINE__ + 1,
@@ -3392,63 +3407,64 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_span", NULL, __LINE__ + 1,
-    "float ssgi_span; // view units: slices fade out from half of this distance to its end\n" },
+    "float ssgi_span; // view units: slices count fully up to half of this distance, and not at its end\n" },
 
 { "ssgi_near", NULL, __LINE__ + 1,
-    "float ssgi_near(float away) { // returns how much slices count at distance away; surfels have the rest\n"
+    "float ssgi_near(float away) { // returns the weight of slices at a distance; surfels have the rest\n"
     "    return clamp(2.0 - 2.0 * away / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
-/* Occlusion of a slice's side from the tangent plane up to an elevation with cosine c is the integral of
-   sin x cos(g - x), where x is the angle from the view direction, g the signed angle from it to the projected normal:
-   cos g / 2 * (1 - c * c) + sin g / 2 * ssgi_arc_odd(c, c * c). */
+/* The occlusion by one side of a slice, from the tangent plane up to the elevation whose cosine is c, is the integral
+   of sin x cos(g - x). x is the angle from the view direction; g is the signed angle from the view direction to the
+   projected normal. The integral is cos g / 2 * (1 - c * c) + sin g / 2 * ssgi_arc_odd(c, c * c). */
 { "ssgi_arc_slope", NULL, __LINE__ + 1,
     "float ssgi_arc_slope(float squared) { // fits (pi / 2 - acos c + c sin acos c) / c\n"
     "    return 2.01098408 + squared * (-0.43954273 + squared * (0.21090284 - 0.21154786 * squared));\n"
     "}\n" },
 
+/* Returns acos c - c sin acos c of a cosine c, with an error of 0.0015 at most. squared is c * c. The result is 0 for
+   c = 1; less pi / 2 it is an odd function of c. */
 { "ssgi_arc_odd", NULL, __LINE__ + 1,
-    "// Returns acos c - c sin acos c of a cosine c, to 0.0015; squared is c * c. It is 0 at c = 1, and odd in c but\n"
-    "// for pi / 2.\n"
     "float ssgi_arc_odd(float cosine, float squared) {\n"
     "    return 1.57079633 - cosine * ssgi_arc_slope(squared);\n"
     "}\n" },
 
 { "SSGI_LEVEL", NULL, __LINE__ + 1,
-    "const float SSGI_LEVEL = 0.004; // sines of elevation below this count as 0, as 10-bit normals round as much\n" },
+    "const float SSGI_LEVEL = 0.004; // lower sines of elevation count as 0: 10-bit normals are rounded by as much\n" },
 
 { "SSGI_OVER", NULL, __LINE__ + 1,
-    "const float SSGI_OVER = 0.4; // lower sines beyond the zenith count as 0, as rounding puts taps there\n" },
+    "const float SSGI_OVER = 0.4; // beyond the zenith lower sines count as 0: rounding alone puts taps there\n" },
 
 { "SSGI_ROUNDED", NULL, __LINE__ + 1,
-    "const float SSGI_ROUNDED = 0.005; // pixels: positions are rounded by less in pictures 8,000 pixels wide\n" },
+    "const float SSGI_ROUNDED = 0.005; // pixels: rounding moves positions by less in pictures of 8,000 pixels\n" },
 
 { "SSGI_JOINED", NULL, __LINE__ + 1,
-    "const float SSGI_JOINED = 4.0; // with thickness CONSTANT taps join up to this slope of depth\n" },
+    "const float SSGI_JOINED = 4.0; // thickness CONSTANT joins two taps if depth differs by fewer gaps than this\n" },
 
-/* It holds for environments: of .2 the bounce of ssdo has an error of .5418, of .35 of .5048 on 28 scenes by seed at
-   1280x720.
-   Of 0 (desc.light.one_sided) by .6614, of .35 by .5337 on 14, each of them; where a sun lights scenes they are equal.
-   Where a sun alone lights thin sheets their hidden sides are dark: there the bounce is up to 1.5 times too bright. */
+/* The value suits environments. With .2 the bounce of ssdo has an error of .5418 on 28 scenes by seed at 1280x720, and
+   with .35 of .5048. With 0 (desc.light.one_sided) the error is .6614 on 14 scenes, and with .35 it is .5337 and less
+   in each of them. If a sun lights these scenes, both errors are equal. If a sun alone lights thin sheets, their hidden
+   sides are dark, and the bounce is up to 1.5 times too bright there. */
 { "SSGI_UNSEEN", NULL, __LINE__ + 1,
     "const float SSGI_UNSEEN = 0.35; // an emitter's hidden side sends this share of its radiance: measured\n" },
 
 { "SSGI_SECOND", NULL, __LINE__ + 1,
-    "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface's light: measured\n" },
+    "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface's radiance: measured\n" },
 
-/* The bound is a share of the distance. A packed normal is rounded, and without this bound a receiver in an emitter's
-   own plane is lit by that rounding: single bright pixels appeared at thin walls. The bounce of ssdo with slabs, by one
-   slice of 16 samples, has an error of .5586 by .01, .5552 by .03, .5640 by .1, on 28 scenes by seed at 1280x720. */
+/* The bound is a share of the distance. A packed normal is rounded. Without this bound the rounding lights a receiver
+   that lies in the emitter's own plane: single bright pixels appeared at thin walls. The bounce of ssdo with slabs, of
+   one slice of 16 samples, has an error of .5586 with .01, .5552 with .03 and .5640 with .1, on 28 scenes by seed at
+   1280x720. */
 { "SSGI_EDGE_ON", NULL, __LINE__ + 1,
     "const float SSGI_EDGE_ON = 0.03; // an emitter whose plane passes a receiver this closely sends it nothing\n" },
 
-/* Of .04 hsao-best has an error of .3674, of .125 .3672, of .5 .3695 (scenes: SSGI_STEEP). */
+/* With .04 hsao-best has an error of .3674, with .125 of .3672, with .5 of .3695, on the scenes of SSGI_STEEP. */
 { "SSGI_APART", NULL, __LINE__ + 1,
-    "const float SSGI_APART = 0.125; // share of the last tap's distance in that of an arc that is not joined\n" },
+    "const float SSGI_APART = 0.125; // weight of the last tap's distance in that of an arc that is not joined\n" },
 
 { "ssgi_sectors", NULL, __LINE__ + 1,
-    "uint ssgi_sectors(float low, float high) { // returns a bit for each sector from low to high, 0..32\n"
-    "    // A shift by 32 is undefined. For 32 each term is 1 - 1, which is 2^32 in 32 bits.\n"
+    "uint ssgi_sectors(float low, float high) { // sets the bits of sectors low to high - 1; both are 0..32\n"
+    "    // A shift by 32 is undefined. For 32 a term is 1 - 1, and 2^32 is 0, too, in 32 bits.\n"
     "    uint first = uint(low);\n"
     "    uint last = uint(high);\n"
     "    return ((1u << (last & 31u)) - (last >> 5u)) - ((1u << (first & 31u)) - (first >> 5u));\n"
@@ -3468,7 +3484,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walked_origin", NULL, __LINE__ + 1,
-    "ivec2 ssgi_walked_origin() { // the picture begins here in the depth that slices read\n"
+    "ivec2 ssgi_walked_origin() { // first texel of the picture in the depth that slices read\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    return ssgi_measured_origin();\n"
     "#else\n"
@@ -3477,22 +3493,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_receiver", NULL, __LINE__ + 1,
-    "struct ssgi_receiver { // values that its slices share\n"
+    "struct ssgi_receiver { // values that all slices of a receiver share\n"
     "    vec3 P, normal, local_normal; // local_normal is the normal in the basis\n"
     "    mat3 basis; // z points to the eye\n"
     "#if !SSGI_ORTHOGRAPHIC\n"
-    "    vec2 unproject; // how many radii a pixel is wide at depth 1\n"
+    "    vec2 unproject; // width and height of a pixel at depth 1, in radii\n"
     "#else\n"
-    "    vec2 unproject; // how many radii a pixel is wide\n"
+    "    vec2 unproject; // width and height of a pixel, in radii\n"
     "#endif\n"
-    "    vec2 across, up; // how many pixels a radius along x and y of the basis is\n"
+    "    vec2 across, up; // one radius along x of the basis, and along y, in pixels\n"
     "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
-    "    float lift; // Taps count as so many radii lower, since the rounding of their depths may lift them.\n"
+    "    float lift; // radii by which taps are lowered, as rounding of their depths may lift them by as much\n"
     "#endif\n"
     "#if SSGI_LIFT\n"
-    "    float raised; // radii from the surface to the receiver\n"
+    "    float raised; // how far the receiver stands above its surface, in radii\n"
     "#endif\n"
-    "    float ray, rounded; // radii along the ray to P per view depth; the most radii that rounding moves a point\n"
+    "    float ray, rounded; // radii along P's ray per unit of view depth; how many radii rounding moves a point\n"
     "};\n" },
 
 { "ssgi_receiver_of", NULL, __LINE__ + 1,
@@ -3516,7 +3532,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_ORTHOGRAPHIC && SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
     "    float lost = 8e-8 * -P.z;\n"
     "#elif SSGI_ORTHOGRAPHIC\n"
-    "    float lost = 5e-8 * (abs(u_ssgi_decode.w) - P.z); // Floats count your depths from the eye on.\n"
+    "    float lost = 5e-8 * (abs(u_ssgi_decode.w) - P.z); // Your depths are floats, counted from your eye.\n"
     "#elif SSGI_MEASURED\n"
     "    float lost = SSGI_MEASURED_ROUNDS * -P.z;\n"
     "#endif\n"
@@ -3530,25 +3546,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return receiver;\n"
     "}\n" },
 
-/* Forms are linear, as that of ssgi_plane. For the point Q that pixel q sees at view depth z, the form of a vector v
-   gives dot(Q - P, v) = (dot(form.xy, q) + form.z) * z + form.w; without perspective dot(form.xy, q) + form.z * z +
-   form.w. */
+/* A form is a linear function of pixel and depth, as that of ssgi_plane is. Let Q be the point that pixel q shows at
+   view depth z. With perspective the form of a vector v gives dot(Q - P, v) = (dot(form.xy, q) + form.z) * z + form.w,
+   and without perspective dot(form.xy, q) + form.z * z + form.w. */
 { "ssgi_slice", NULL, __LINE__ + 1,
     "struct ssgi_slice { // lengths in radii\n"
     "    vec3 along; // spans the slice together with the view direction\n"
     "    vec4 place, height; // forms of a point's place along the tangent plane, and of its height within the slice\n"
-    "    // dot(xy, pixel) + z says how far a pixel is off the slice at the depth of P; w: height per unit off it.\n"
+    "    // dot(xy, pixel) + z: radii from the slice to a pixel at the depth of P; w: height of the tangent plane\n"
+    "    // for each radius off the slice.\n"
     "    vec4 deviation;\n"
-    "    vec2 half_normal; // half of the sine and the cosine of the projected normal's angle from the view direction\n"
-    "    float measure; // the measure that both sides have alike; the tilt adds to one and takes from the other\n"
+    "    vec2 half_normal; // half of sin g and of cos g; g: angle of the projected normal from the view direction\n"
+    "    float measure; // mean of both sides' measures; the tilt g adds to one as much as it takes from the other\n"
     "    float width; // length of the normal's projection\n"
-    "    float rounded, least; // the most that rounding moves a point; least is added to squared distances\n"
+    "    float rounded, least; // how far rounding moves a point at most; least is added to squared distances\n"
     "    float thickness_unit; // view units: one step of the thickness that pass thickness wrote\n"
     "};\n" },
 
 { "ssgi_slice_of", NULL, __LINE__ + 1,
-    "// Returns the slice at a turn (cosine, sine) about the view direction. pixel is the receiver's pixel, counted\n"
-    "// as the pixels of taps are.\n"
+    "// Returns the slice at an angle about the view direction; turn is its cosine and sine. pixel is the receiver's,\n"
+    "// with the same origin as the texels of taps.\n"
     "ssgi_slice ssgi_slice_of(ssgi_receiver receiver, ivec2 pixel, vec2 turn) {\n"
     "    vec3 along = receiver.basis[0] * turn.x + receiver.basis[1] * turn.y;\n"
     "    vec3 across = receiver.basis[1] * turn.x - receiver.basis[0] * turn.y;\n"
@@ -3588,8 +3605,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    slice.height.w -= receiver.raised * per;\n"
     "#endif\n"
     "    slice.deviation.z = -dot(slice.deviation.xy, origin);\n"
-    "    // Rounding puts the receiver's own texel beside the receiver, in any direction. As ten times as much is\n"
-    "    // added to its distance, the sine of its elevation is 0.1 at most.\n"
+    "    // Rounding puts the receiver's own texel beside the receiver, in any direction. least adds ten times as\n"
+    "    // much to its distance, so that the sine of its elevation is 0.1 at most.\n"
     "    slice.rounded = receiver.rounded;\n"
     "    slice.least = 100.0 * receiver.rounded * receiver.rounded;\n"
     "    slice.thickness_unit = u_ssgi_radius / 63.0;\n"
@@ -3602,13 +3619,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // Half of cos g and of sin g, in sectors; base: half_cosine plus the noise that rounds sectors.\n"
     "    float half_cosine, half_sine, base;\n"
     "    float share; // share of the hemisphere that a sector has\n"
-    "    float edge; // share of the way at which the picture ends\n"
+    "    float edge; // share of the side's length at which the picture ends\n"
     "};\n" },
 
-/* A side reaches from the tangent plane to where c is -sin g. ssgi_slice.measure has the part of its measure that both
-   sides have alike: of the whole formula NVIDIA's compiler for GL (driver 580) loses a sign where way is -1. */
+/* A side reaches from the tangent plane to the view direction, at which c is -sin g. The part of its measure that does
+   not depend on way is computed beforehand, in ssgi_slice.measure. If way is -1, NVIDIA's compiler for GL (driver 580)
+   loses a sign of the whole formula. */
 { "ssgi_side_of", NULL, __LINE__ + 1,
-    "// way is 1 for the side toward slice.along, -1 for the other; noise rounds its sectors\n"
+    "// way is 1 for the side toward slice.along, and -1 for the other. noise, 0..1, decides how sectors are rounded.\n"
     "ssgi_side ssgi_side_of(ssgi_slice slice, float way, float noise, float edge) {\n"
     "    ssgi_side side;\n"
     "    float sine = way * slice.half_normal.x;\n"
@@ -3623,9 +3641,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return side;\n"
     "}\n" },
 
+/* Returns which shares of a way that is `pixels` long lie in the picture, ahead of pixel and behind it. They are a
+   little too small, so that no texel beyond the picture is read by rounding. */
 { "ssgi_edges", NULL, __LINE__ + 1,
-    "// Returns the shares of the way along pixels, ahead of pixel and behind it, that lie in the picture: a little\n"
-    "// less, so that rounding reads no texel beyond.\n"
     "vec2 ssgi_edges(ivec2 pixel, vec2 pixels) {\n"
     "    vec2 per = 1.0 / (pixels + 1e-9);\n"
     "    vec2 low = (vec2(pixel) + 0.499) * per;\n"
@@ -3636,8 +3654,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sector", NULL, __LINE__ + 1,
-    "// Returns the sector of an elevation by its cosine and the square of that: at most `most`, and 0 unless it is\n"
-    "// up.\n"
+    "// Returns the sector in which an elevation lies; squared is the square of its cosine. The result is at most\n"
+    "// `most`, and 0 unless up is true.\n"
     "float ssgi_sector(ssgi_side side, float cosine, float squared, bool up, float most) {\n"
     "    float sector = side.base - side.half_cosine * squared + side.half_sine * ssgi_arc_odd(cosine, squared);\n"
     "    return up ? clamp(sector, 0.0, most) : 0.0;\n"
@@ -3660,15 +3678,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 texel; // the texel of depth\n"
     "    vec2 forms; // the forms at that texel, which ssgi_on_ray takes\n"
     "    float z, distance, sine; // view depth; distance in radii; sine of the elevation, at least 0\n"
-    "    bool inside, seen; // the tap is in the picture; it is within the radius, too\n"
-    "    bool beyond, up; // it is past the zenith; it is seen and rises above the tangent plane\n"
+    "    bool inside, seen; // inside: the tap is in the picture; seen: it is also within the radius\n"
+    "    bool beyond, up; // beyond: the tap is past the zenith; up: it is seen, and above the tangent plane\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float width; // thickness of the surface, view units\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_ray_of", NULL, __LINE__ + 1,
-    "// Returns both forms at a pixel, without the view depth.\n"
+    "// Returns the forms of place and height at a pixel; ssgi_on_ray puts the view depth in.\n"
     "vec2 ssgi_ray_of(ssgi_slice slice, ssgi_side side, vec2 pixel) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return vec2(dot(side.place.xy, pixel) + side.place.w, dot(slice.height.xy, pixel) + slice.height.w);\n"
@@ -3678,7 +3696,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_on_ray", NULL, __LINE__ + 1,
-    "// Returns place and height at view depth z.\n"
+    "// Returns place and height of the point at view depth z. forms: the result of ssgi_ray_of.\n"
     "vec2 ssgi_on_ray(ssgi_slice slice, ssgi_side side, vec2 forms, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return forms + z * vec2(side.place.z, slice.height.z);\n"
@@ -3693,7 +3711,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tap_at", NULL, __LINE__ + 1,
-    "ssgi_tap ssgi_tap_at(ssgi_slice slice, ssgi_side side, vec2 place, float way) { // way is the share of the way\n"
+    "ssgi_tap ssgi_tap_at(ssgi_slice slice, ssgi_side side, vec2 place, float way) { // way: share of the side\n"
     "    ssgi_tap tap;\n"
     "    tap.texel = ivec2(place);\n"
     "#if SSGI_THICKNESS < SSGI_THICKNESS_WIDTH\n"
@@ -3706,11 +3724,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 pixel = vec2(tap.texel);\n"
     "    tap.forms = ssgi_ray_of(slice, side, pixel);\n"
     "    vec2 offset = ssgi_on_ray(slice, side, tap.forms, tap.z);\n"
-    "    // A texel is up to half a pixel off its slice. If distances left that out, slices that graze a plane\n"
-    "    // would darken it in dots.\n"
-    "    float off = slice.deviation.x * pixel.x + (slice.deviation.y * pixel.y + slice.deviation.z);\n"
-    "    float up = offset.y - slice.deviation.w * off;\n"
-    "    float squared = offset.x * offset.x + (up * up + (off * off + slice.least));\n"
+    "    // A texel is up to half a pixel off its slice. If distances left that out, there would be dark dots on\n"
+    "    // planes that slices graze.\n"
+    "    float off_slice = slice.deviation.x * pixel.x + (slice.deviation.y * pixel.y + slice.deviation.z);\n"
+    "    float up = offset.y - slice.deviation.w * off_slice;\n"
+    "    float squared = offset.x * offset.x + (up * up + (off_slice * off_slice + slice.least));\n"
     "    tap.distance = sqrt(squared);\n"
     "    tap.sine = clamp(offset.y * inversesqrt(squared), 0.0, 1.0);\n"
     "    tap.inside = way < side.edge;\n"
@@ -3721,7 +3739,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cosine", NULL, __LINE__ + 1,
-    "float ssgi_cosine(float squared, bool beyond) { // returns the cosine of an elevation from its square\n"
+    "float ssgi_cosine(float squared, bool beyond) { // returns the cosine of an elevation; squared is its square\n"
     "    return beyond ? -sqrt(squared) : sqrt(squared);\n"
     "}\n" },
 
@@ -3731,7 +3749,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float distance; // distance of the last tap, in radii\n"
     "#if SSGI_THICKNESS != SSGI_THICKNESS_SOLID\n"
     "    float low, high, z; // first and last sector, and view depth, of the last tap\n"
-    "    bool seen, rose; // whether the last tap was within the radius; whether it rose\n"
+    "    bool seen, rose; // members seen and up of the last tap\n"
     "#endif\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float end_; // the view depth at which the last tap's surface ends\n"
@@ -3773,19 +3791,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_add_elevation", "SSGI_ENVIRONMENT", __LINE__ + 1,
-    "// Adds `share` occluded sectors at an elevation, given as cosine and sine times any length.\n"
+    "// Adds `share` occluded sectors at an elevation, given as a vector (cosine, sine) of any length.\n"
     "void ssgi_add_elevation(inout ssgi_walked walked, vec2 elevation, float share) {\n"
     "    walked.toward += elevation * (inversesqrt(max(dot(elevation, elevation), 1e-12)) * share);\n"
     "}\n" },
 
 { "ssgi_add_occluded", "SSGI_ENVIRONMENT", __LINE__ + 1,
-    "// Adds the light that a side occludes; environment or harmonics are evaluated once, in the mean direction.\n"
+    "// Adds the light that a side occludes. Environment or harmonics are evaluated once, in the mean direction of\n"
+    "// the occluded sectors.\n"
     "void ssgi_add_occluded(inout ssgi_sums sums, ssgi_slice slice, vec3 V, ssgi_walked walked, float way,\n"
     "    float share) {\n"
-    "    // Its x is along the tangent plane, its y up.\n"
+    "    // x is along the tangent plane; y is the height above it.\n"
     "    vec2 elevation = vec2(way * walked.toward.x, walked.toward.y);\n"
-    "    vec2 lean = 2.0 * slice.half_normal;\n"
-    "    vec3 direction = slice.along * dot(elevation, lean.yx) + V * (elevation.y * lean.y - elevation.x * lean.x);\n"
+    "    vec2 tilt = 2.0 * slice.half_normal;\n"
+    "    vec3 direction = slice.along * dot(elevation, tilt.yx) + V * (elevation.y * tilt.y - elevation.x * tilt.x);\n"
     "    direction *= inversesqrt(max(dot(direction, direction), 1e-24));\n"
     "    share *= walked.share;\n"
     "#if SSGI_ENVIRONMENT == SSGI_ENVIRONMENT_MAP\n"
@@ -3795,9 +3814,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
+/* Adds the light that the surface at a pixel and the second slab behind it send, each times the share that it occludes.
+   offset leads from the receiver to the surface. A surface that is seen edge-on, within the rounding of its normal,
+   sends nothing. */
 { "ssgi_add_sent", "SSGI_BOUNCE", __LINE__ + 1,
-    "// Adds the light that the surface at a pixel, at an offset from the receiver, and the second slab behind it\n"
-    "// send, by their shares. Edge-on, within the rounding of its normal, a surface sends nothing.\n"
     "void ssgi_add_sent(inout ssgi_sums sums, ivec2 pixel, vec3 offset, float share, float second) {\n"
     "    uvec2 texel = texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 normal = ssgi_unpack_normal(texel.y);\n"
@@ -3823,7 +3843,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gap", NULL, __LINE__ + 1,
-    "struct ssgi_gap { // The greater is the gap between taps. Both are kept, as GPUs have a maximum of three.\n"
+    "struct ssgi_gap { // The larger is the gap between taps. Both are kept, as GPUs have a maximum of three values.\n"
     "    float last, first; // view units: from the last tap to this one; from the receiver to the first tap\n"
     "};\n" },
 
@@ -3833,7 +3853,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cover", "SSGI_THICKNESS == SSGI_THICKNESS_SOLID", __LINE__ + 1,
-    "// Covers the sectors that a tap occludes; returns how many were free, attenuated.\n"
+    "// Covers the sectors that a tap occludes. Returns how many of them were free, attenuated.\n"
     "float ssgi_cover(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap, ssgi_gap gap) {\n"
     "    float fresh = 0.0;\n"
     "    if (tap.up) {\n"
@@ -3854,7 +3874,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cover", "SSGI_THICKNESS != SSGI_THICKNESS_SOLID", __LINE__ + 1,
-    "// Covers the sectors that a tap occludes; returns how many were free, attenuated.\n"
+    "// Covers the sectors that a tap occludes. Returns how many of them were free, attenuated.\n"
     "float ssgi_cover(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap, ssgi_gap gap) {\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    float end_ = tap.z + tap.width + 0.5 * ssgi_between(gap);\n"
@@ -3870,7 +3890,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    radii = 0.5 * (radii + min(radii, sqrt(back_squared)));\n"
     "#endif\n"
-    "    if (tap.up || (walked.rose && tap.seen)) { // Else neither this tap rises nor did the last one.\n"
+    "    if (tap.up || (walked.rose && tap.seen)) { // Otherwise neither this tap rises nor the last.\n"
     "        float squared = 1.0 - tap.sine * tap.sine;\n"
     "        float cosine = ssgi_cosine(squared, tap.beyond);\n"
     "        back *= inversesqrt(back_squared);\n"
@@ -3879,11 +3899,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
     "        float apart = abs(tap.z - walked.z) / SSGI_JOINED;\n"
     "#elif SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "        float apart = max(tap.z - walked.end_, walked.z - end_); // Below 0 their depths overlap.\n"
+    "        float apart = max(tap.z - walked.end_, walked.z - end_); // below 0 if their depths overlap\n"
     "#endif\n"
     "        bool joined = apart < ssgi_between(gap) && tap.seen && walked.seen;\n"
     "        uint arc = ssgi_sectors(joined ? min(low, walked.low) : low, joined ? max(high, walked.high) : high);\n"
-    "        // The distance of a joined arc is halfway to the last tap.\n"
+    "        // The distance of a joined arc is the mean of this tap's and the last tap's.\n"
     "        float part = joined ? 0.5 : SSGI_APART;\n"
     "        fresh = ssgi_cover_sectors(walked.left, arc, mix(min(radii, 2.0), min(walked.distance, 1.0), part));\n"
     "        walked.share += fresh;\n"
@@ -3909,7 +3929,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cover_second", "SSGI_THICKNESS == SSGI_THICKNESS_SLABS", __LINE__ + 1,
-    "// Covers the sectors that the second slab behind a tap occludes; returns how many were free, attenuated.\n"
+    "// Covers the sectors that the second slab behind a tap occludes. Returns how many were free, attenuated.\n"
     "float ssgi_cover_second(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap,\n"
     "    ssgi_gap gap) {\n"
     "    vec3 slab = ssgi_slabs(tap.texel);\n"
@@ -3938,7 +3958,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_step", NULL, __LINE__ + 1,
-    "// Takes one step of a side: its tap occludes sectors, and sends light from them.\n"
+    "// Takes one sample of a side: the tap occludes sectors, and its surface sends light from them.\n"
     "void ssgi_step(inout ssgi_sums sums, ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap,\n"
     "    ssgi_gap gap,\n"
     "    vec3 P) {\n"
@@ -3958,21 +3978,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Samples miss occluders: SSGI_MISSED.x / samples - SSGI_MISSED.y of the free sectors count as occluded for each
-   occluded one. Taps see no occluders beyond the picture: SSGI_BEYOND.x of the free sectors count as occluded for each
-   occluded one, SSGI_BEYOND.y at most, times the square of the share of the way beyond. The four numbers are fitted to
-   the truth of 28 scenes by seed at 1280x720 and were judged on 28 others: the change that brought them took the
-   error of hsao on all 56 from .406 to .396. */
+/* Samples miss occluders. So for each occluded sector a share of the free sectors counts as occluded, too, which is
+   SSGI_MISSED.x / samples - SSGI_MISSED.y. Occluders beyond the picture have no taps. So for each occluded sector the
+   share SSGI_BEYOND.x of the free sectors counts as occluded, in all SSGI_BEYOND.y at most, times the square of the
+   share of the side's length that lies beyond the picture. The four numbers are fitted to the ground truth of 28 scenes
+   by seed at 1280x720, and were judged on 28 others: they took the error of hsao on all 56 from .406 to .396. */
 { "SSGI_MISSED", NULL, __LINE__ + 1,
-    "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // With 34 samples none is missed.\n" },
+    "const vec2 SSGI_MISSED = vec2(0.09375, 0.0028); // From 34 samples on the share is 0.\n" },
 
 { "SSGI_BEYOND", NULL, __LINE__ + 1,
-    "const vec2 SSGI_BEYOND = vec2(0.05, 0.4); // occluded shares beyond the picture: per found one; the most\n" },
+    "const vec2 SSGI_BEYOND = vec2(0.05, 0.4); // shares of the free sectors: for each occluded sector; at most\n" },
 
-/* To leave directions that samples miss open has a larger error. Where no sector is occluded nothing is expected, so
-   that planes stay open. Expected occluders send light as the found ones do. */
+/* If all directions that samples miss counted as open, the error would be larger. If no sector is occluded, no occluder
+   is expected, so that planes stay open. Expected occluders send the mean light of the occluders that were found. */
 { "ssgi_expect", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
-    "// Adds occlusion that a side missed.\n"
+    "// Adds the occlusion by occluders that the samples of a side are expected to have missed.\n"
     "void ssgi_expect(inout ssgi_sums sums, ssgi_side side, inout ssgi_walked walked) {\n"
     "    float missed = max(SSGI_MISSED.x / float(SSGI_SAMPLES) - SSGI_MISSED.y, 0.0);\n"
     "    float beyond = max(1.0 - side.edge, 0.0);\n"
@@ -4000,14 +4020,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Walks both sides of a slice, a plane through the view direction, from near to far [TLG23]. A side has 32\n"
     "// sectors of equal cosine-weighted measure. The surface of a tap occludes the sectors that this tap is the\n"
     "// first to cover, weighted by its distance; it is as thick as desc.gather.thickness says. Taps of one surface\n"
-    "// join: they also cover the sectors between them, at their mean distance. pixels: how many a radius along the\n"
-    "// slice covers in x and y.\n"
+    "// join: they also cover the sectors between them, at their mean distance. pixels: one radius along the slice,\n"
+    "// in pixels in x and y.\n"
     "void ssgi_walk_slice(ssgi_slice slice, vec3 P, ivec2 pixel, vec2 pixels, vec2 random, vec2 noise,\n"
     "    inout ssgi_sums sums) {\n"
     "    float unit = 1.0 / float(SSGI_SAMPLES);\n"
     "    float reach = u_ssgi_radius;\n"
     "#if SSGI_SPAN\n"
-    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // Slices look through this share of the radius.\n"
+    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // Slices reach to this share of the radius.\n"
     "    pixels *= share;\n"
     "    reach *= share;\n"
     "#endif\n"
@@ -4015,7 +4035,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 start = vec2(pixel + ssgi_walked_origin()) + 0.5;\n"
     "    ssgi_side ahead = ssgi_side_of(slice, 1.0, noise.x, edges.x);\n"
     "    ssgi_side behind = ssgi_side_of(slice, -1.0, noise.y, edges.y);\n"
-    "    // Taps stand at the squares of even steps, so that the gaps between them grow evenly.\n"
+    "    // Distances of taps are squares of evenly spaced numbers, so that the gaps between taps grow evenly.\n"
     "    vec2 root = vec2(random.y, 1.0 - random.y) * unit;\n"
     "    vec2 first = root * root * reach;\n"
     "    float grows = 2.0 * reach * unit;\n"
@@ -4026,7 +4046,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 way = root * root;\n"
     "        vec2 last = root * grows - less;\n"
     "        ssgi_tap tap_ahead = ssgi_tap_at(slice, ahead, start + pixels * way.x, way.x);\n"
-    "        // The GPU then waits for both at once.\n"
+    "        // Both taps are fetched before either is used, so that the GPU waits for both at once.\n"
     "        ssgi_tap tap_behind = ssgi_tap_at(slice, behind, start - pixels * way.y, way.y);\n"
     "        ssgi_step(sums, slice, ahead, walked_ahead, tap_ahead, ssgi_gap(last.x, first.x), P);\n"
     "        ssgi_step(sums, slice, behind, walked_behind, tap_behind, ssgi_gap(last.y, first.y), P);\n"
@@ -4055,7 +4075,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_SLICES; ++i) {\n"
     "        float phi = SSGI_PI * (float(i) + random.x) / float(SSGI_SLICES);\n"
     "#if SSGI_ENVIRONMENT\n"
-    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal); // It is made anew, which keeps registers free.\n"
+    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal); // computed for each slice: fewer registers\n"
     "#endif\n"
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
     "        // The noise that rounds the sectors must not correlate with the turn or the offset.\n"
@@ -4083,14 +4103,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- the output of a gather */
 
 { "ssgi_transfer", NULL, __LINE__ + 1,
-    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // The dot product with light is irradiance [S3HO12 eq. 2].\n"
+    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // Its dot product with light is irradiance [S3HO12 eq. 2].\n"
     "#if !(SSGI_PASS == SSGI_PASS_S3HO && SSGI_BOUNCE)\n"
     "    ssgi_coefficients coefficients = ssgi_coefficients_none();\n"
     "#else\n"
     "    ssgi_coefficients coefficients = sums.bounce;\n"
     "#endif\n"
     "#if SSGI_TRANSFER == SSGI_TRANSFER_BOTH && SSGI_BANDS == 1\n"
-    "    // One band leaves lane y free, which keeps the reflected part, as that gets no residual.\n"
+    "    // With one band lane y is unused. It keeps the reflected part apart, as that part gets no residual.\n"
     "    for (int channel = 0; channel < 3; ++channel)\n"
     "        coefficients.channel[channel].word0.y = coefficients.channel[channel].word0.x;\n"
     "#endif\n"
@@ -4206,11 +4226,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    second += weight * vec4(bytes.y & 255u, bytes.y >> 8 & 255u, bytes.y >> 16 & 255u, bytes.y >> 24);\n"
     "}\n" },
 
+/* Writes the field's eight components along direction, each in [0,1]. They are interpolated bilinearly, at the edges of
+   a face with its border of one texel. layer: the field's resolution, and its layer of the texture. */
 { "ssgi_field_fetch", NULL, __LINE__ + 1,
-    "// Writes the field's components along direction, in [0,1], bilinear with the border; layer holds\n"
-    "// resolution and slice.\n"
     "void ssgi_field_fetch(vec3 direction, vec2 layer, out vec4 first, out vec4 second) {\n"
-    "    vec3 lengths = abs(direction); // square.z: face\n"
+    "    vec3 lengths = abs(direction); // square.z, below, is the number of the cube's face.\n"
     "    vec3 square = vec3(vec2(direction.z < 0.0 ? -direction.x : direction.x, -direction.y) / lengths.z,\n"
     "        direction.z < 0.0 ? 5.0 : 4.0);\n"
     "    if (lengths.x >= lengths.y && lengths.x >= lengths.z)\n"
@@ -4232,10 +4252,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    second *= 1.0 / 255.0;\n"
     "}\n" },
 
-/* [AOF05 eq. 3] */
+/* Returns the cosine-weighted occlusion, 0..1, by a spherical cap, at most a hemisphere [AOF05 eq. 3]. edge is the
+   cosine of its angular radius, sine_squared the squared sine. cosine is that between its axis and the normal. */
 { "ssgi_cap", NULL, __LINE__ + 1,
-    "// Returns the cosine-weighted occlusion, 0..1, of a spherical cap, at most a hemisphere. edge is the cosine of\n"
-    "// its radius, sine_squared the square of the sine, cosine the cosine between its axis and the normal.\n"
     "float ssgi_cap(float edge, float sine_squared, float cosine) {\n"
     "    if (cosine * cosine >= sine_squared) return sine_squared * max(cosine, 0.0);\n"
     "    float x = edge * inversesqrt(sine_squared);\n"
@@ -4243,10 +4262,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ((cosine * atan(width, -x * cosine) - x * width) * sine_squared + atan(width, x)) * 0.318309886;\n"
     "}\n" },
 
-/* [AOF05 section 4.2] */
+/* Returns a cap's occlusion from your table, interpolated bilinearly between the centres of texels [AOF05 section 4.2].
+   solid_angle is the cap's solid angle over 2 pi. */
 { "ssgi_cap_table", NULL, __LINE__ + 1,
-    "// Returns a cap's occlusion from your table, bilinear between texels' centres; solid_angle is its solid angle\n"
-    "// over 2 pi.\n"
     "float ssgi_cap_table(float solid_angle, float cosine) {\n"
     "    ivec2 last = textureSize(t_ssgi_cap, 0) - 1;\n"
     "    vec2 place = clamp(vec2(solid_angle, cosine + 1.0) * 0.5, 0.0, 1.0) * vec2(last);\n"
@@ -4260,7 +4278,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_at", NULL, __LINE__ + 1,
-    "// Returns P in the occluder's space: its unit direction from the centre, and its distance.\n"
+    "// Returns where P lies in the occluder's space: the unit direction from the centre, and the distance.\n"
     "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder has ssgi_gl_occluder's members from to_field on\n"
     "    vec4 homogeneous = vec4(P, 1.0);\n"
     "    vec3 direction = vec3(dot(occluder[0], homogeneous), dot(occluder[1], homogeneous),\n"
@@ -4271,7 +4289,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* [AOF05 algorithm 1] */
 { "ssgi_field_occlusion", NULL, __LINE__ + 1,
-    "// Returns the occlusion, in [0,1], of a surface with unit normal, whose place in the field is `place`.\n"
+    "// Returns the occlusion, in [0,1], of a surface with unit normal. place is the result of ssgi_field_at.\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 place, vec3 normal) {\n"
     "    vec4 first, second;\n"
     "    ssgi_field_fetch(place.xyz, occluder[8].xy, first, second);\n"
@@ -4279,7 +4297,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    second = occluder[5] + occluder[7] * second;\n"
     "    float hull = first.w;\n"
     "    float away = max(place.w, hull);\n"
-    "    // The hull may be as far out.\n"
+    "    // The hull may lie as far out as the field's end, so that 0/0 must be avoided.\n"
     "    float share = away > hull ? min((away - hull) / (occluder[8].z - hull), 1.0) : 0.0;\n"
     "    first.xyz = exp2(first.xyz);\n"
     "    first.y -= sqrt(first.x * first.z); // spread is quadratic in away: Bernstein form from the hull to the end\n"
@@ -4289,8 +4307,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    normal = normalize(vec3(dot(occluder[0].xyz, normal), dot(occluder[1].xyz, normal),\n"
     "        dot(occluder[2].xyz, normal)));\n"
     "    float cosine = dot(axis, normal);\n"
-    "    // sine_squared is 1 / (pi spread), the vector irradiance over pi of a cap of which the occluder covers the\n"
-    "    // share fill.\n"
+    "    // 1 / (pi spread) is the vector irradiance over pi that the occluder takes away. Only the share fill of its\n"
+    "    // cap is covered, so that the value of the cap itself is larger.\n"
     "    float sine_squared = 0.318309886 / max(spread, 0.318309886);\n"
     "    float fill = max(second.w, sine_squared);\n"
     "    sine_squared /= fill;\n"
@@ -4304,7 +4322,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_visibility", NULL, __LINE__ + 1,
-    "// Returns the ambient visibility that all occluders leave, but for those of the object itself.\n"
+    "// Returns the ambient visibility under all occluders except those of the object itself.\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 normal) {\n"
     "    float visibility = 1.0;\n"
     "    int rows = min(occluders, textureSize(t_ssgi_occluders, 0).y);\n"
@@ -4334,7 +4352,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uint object = texelFetch(t_ssgi_objects, pixel + u_ssgi_origin, 0).x;\n"
     "#endif\n"
     "#if SSGI_OBJECTS\n"
-    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // The occluder is the object itself.\n"
+    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // No object occludes itself.\n"
     "#endif\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, place, ssgi_normal(pixel, P));\n"
     "}\n" },
@@ -4343,7 +4361,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_patch", NULL, __LINE__ + 1,
     "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
-    "out vec2 v_ssgi_part; // which part of splits * splits; which vertex of the mesh, in 24 bits\n"
+    "out vec2 v_ssgi_part; // number of the part, of splits * splits; number of the mesh's vertex, in 24 bits\n"
     "void main() {\n"
     "    mat3 to_view = mat3(u_ssgi_mesh);\n"
     "    vec3 x = cross(to_view[1], to_view[2]);\n"
@@ -4355,13 +4373,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tess_count", NULL, __LINE__ + 1,
-    "int ssgi_tess_count(int level) {\n"
+    "int ssgi_tess_count(int level) { // returns how many points the tessellator makes of a triangle\n"
     "    int half_ = (level + 1) / 2;\n"
     "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n"
     "}\n" },
 
 { "ssgi_part_corner", NULL, __LINE__ + 1,
-    "// Returns barycentric weights of a corner of part i of rows * rows.\n"
+    "// Returns the barycentric weights of a corner of part i of a triangle, which has rows * rows parts.\n"
     "vec3 ssgi_part_corner(int i, int rows, int corner) {\n"
     "    int row = int(sqrt(float(i) + 0.5));\n"
     "    int place = i - row * row;\n"
@@ -4392,8 +4410,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_WHOLE", NULL, __LINE__ + 1,
     "const float SSGI_WHOLE = 1e-5; // a count that is so little above a whole number is rounded down\n" },
 
+/* Returns into how many parts the edges of a triangle are divided, so that level 64 has enough points for each part. z:
+   view depths of its corners. */
 { "ssgi_parts", NULL, __LINE__ + 1,
-    "// Returns how many parts of each edge a triangle needs, 1 if level 64 suffices; z: its corners' view depths.\n"
     "int ssgi_parts(vec3 z, float area) {\n"
     "    float low = min(z.x, min(z.y, z.z));\n"
     "    float high = max(z.x, max(z.y, z.z));\n"
@@ -4405,12 +4424,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tess_level", NULL, __LINE__ + 1,
-    "int ssgi_tess_level(float discs) { // returns the least level, 1..64, that has so many surfels\n"
+    "int ssgi_tess_level(float discs) { // returns the lowest level, 1..64, that makes so many surfels\n"
     "    return discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - SSGI_WHOLE), 64.0)) : 1;\n"
     "}\n" },
 
 { "ssgi_alive", NULL, __LINE__ + 1,
-    "// The three surfels of a small triangle are thinned out by chance; a bit each says which stay.\n"
+    "// Thins out the three surfels of a small triangle by chance. Returns a bit for each that stays.\n"
     "int ssgi_alive(uint key, float share) {\n"
     "    int alive = 0;\n"
     "    for (int i = 0; i < 3; ++i)\n"
@@ -4419,7 +4438,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_INCENTRE", __LINE__ + 1,
-    "// A corner is scaled about the centre of the inscribed circle, by 1/4 at least, so that discs end at the edges.\n"
+    "// Scales a corner about the centre of the inscribed circle, by 1/4 at least, so that discs end at the edges.\n"
     "vec3 ssgi_inset(vec3 corners[3], int corner, float radius, float area) {\n"
     "    vec3 edge = vec3(length(corners[2] - corners[1]), length(corners[0] - corners[2]),\n"
     "        length(corners[1] - corners[0]));\n"
@@ -4430,7 +4449,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_inset", "SSGI_OVERHANG == SSGI_OVERHANG_CENTROID", __LINE__ + 1,
-    "// A corner is moved by radius toward the centroid, by 0.9 of the way at most.\n"
+    "// Moves a corner by radius toward the centroid, but by 0.9 of the way at most.\n"
     "vec3 ssgi_inset(vec3 corners[3], int corner, float radius, float area) {\n"
     "    vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;\n"
     "    vec3 way = corners[corner] - centre;\n"
@@ -4442,7 +4461,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
     "in vec2 v_ssgi_part[];\n"
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
-    "patch out vec4 v_ssgi_patch; // radius, level, key: upper half under the bits of alive, lower half\n"
+    "patch out vec4 v_ssgi_patch; // radius; level; bits of alive above the key's upper half; key's lower half\n"
     "void main() {\n"
     "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z);\n"
     "    vec3 corners[3];\n"
@@ -4473,7 +4492,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int alive = ssgi_alive(key, share);\n"
     "    int level = ssgi_tess_level(discs);\n"
     "    empty = empty || aside - extent > u_ssgi_radius || alive == 0;\n"
-    "    // The discs have the triangle's area.\n"
+    "    // All discs together have the triangle's area.\n"
     "    radius = sqrt(area / (SSGI_PI * share * float(ssgi_tess_count(level))));\n"
     "    vec3 weights = ssgi_part_corner(part, rows, gl_InvocationID);\n"
     "    v_ssgi_corner[gl_InvocationID] = ssgi_inset(corners, gl_InvocationID, radius, area);\n"
@@ -4493,7 +4512,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_hash", NULL, __LINE__ + 1,
-    "uint ssgi_hash(uint x) { // returns the output of a step of PCG\n"
+    "uint ssgi_hash(uint x) { // returns a pseudorandom number: one step of PCG\n"
     "    return ssgi_scramble(x * 747796405u + 2891336453u);\n"
     "}\n" },
 
@@ -4526,13 +4545,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 normal = v_ssgi_facing[0] * weights.x + v_ssgi_facing[1] * weights.y + v_ssgi_facing[2] * weights.z;\n"
     "    vec3 colour = v_ssgi_tint[0] * weights.x + v_ssgi_tint[1] * weights.y + v_ssgi_tint[2] * weights.z;\n"
     "    normal = dot(normal, normal) > 0.0 ? normalize(normal) : flat_ * sign(determinant(mat3(u_ssgi_mesh)));\n"
-    "    // The number of this point in the tessellator's rings is the same on every machine.\n"
+    "    // The hash is of this point's place in the tessellator's rings, which is the same on every machine.\n"
     "    float ring = floor(min(weights.x, min(weights.y, weights.z)) * 1.5 * v_ssgi_patch.y + 0.5);\n"
     "    uvec3 place = uvec3(max(weights * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
     "    uint hash = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
     "    hash = ssgi_hash(hash + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
-    "    v_ssgi_surfel0 = vec4(ssgi_to_yours(P), kept ? v_ssgi_patch.x : 0.0); // Of radius 0 it affects nothing.\n"
+    "    v_ssgi_surfel0 = vec4(ssgi_to_yours(P), kept ? v_ssgi_patch.x : 0.0); // Radius 0 has no effect.\n"
     "    v_ssgi_surfel1 = vec4(normal, float(hash >> 8) / 16777216.0);\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, normal, colour), 0.0);\n"
     "}\n" },
@@ -4548,15 +4567,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_nothing", NULL, __LINE__ + 1,
     "void main() {} // Nothing is drawn, but GLES requires a fragment stage.\n" },
 
+/* Returns a block's hash. Exclusive or with it turns a pixel's place in the block into the number of its sub-buffer,
+   and that number into the place. */
 { "ssgi_interleave", NULL, __LINE__ + 1,
-    "// Returns a block's hash: exclusive or turns a pixel's place in the block into its sub-buffer, and back.\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint hash = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
     "    return ivec2(int(hash & 255u), int((hash >> 8) & 255u)) & mask;\n"
     "}\n" },
 
 { "ssgi_shift", NULL, __LINE__ + 1,
-    "int ssgi_shift() { // One pixel in 2 to this power is dealt out, each way.\n"
+    "int ssgi_shift() { // In x and in y one pixel in 2 to this power is dealt out to sub-buffers.\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return 2;\n"
     "#elif SSGI_RESOLUTION\n"
@@ -4572,7 +4592,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_level", NULL, __LINE__ + 1,
-    "ivec2 ssgi_level() { // size of one level\n"
+    "ivec2 ssgi_level() { // size of one level: its sub-buffers side by side\n"
     "    int last = (1 << (SSGI_LEVELS - 1)) - 1;\n"
     "    return (ssgi_dealt() + last) & ~last;\n"
     "}\n" },
@@ -4592,7 +4612,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 block = texel - sub * across;\n"
     "    ivec2 pixel = ssgi_gathered((block << level) | ((sub ^ ssgi_interleave(block, mask)) & mask));\n"
     "    o_ssgi_interleaved = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
-    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(pixel)) return; // the size need not be a multiple\n"
+    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(pixel)) return; // blocks may end outside the picture\n"
     "    float z = ssgi_depth(pixel);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
@@ -4620,23 +4640,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Writes a surfel's shell at level l, and returns a corner of its rectangle in the sub-buffer that turned.w picks
-   [DSS14 3.2]. */
+/* Writes a surfel's shell at a level, and returns a corner of its rectangle in the sub-buffer that turned.w picks
+   [DSS14 3.2]. If the surfel affects nothing at this level, all corners are equal. */
 { "ssgi_shell", NULL, __LINE__ + 1,
-    "// position, squared radius; normal, weight; radiance, square of the distance from which on the level counts\n"
+    "// position, squared radius; normal, weight; radiance, square of the distance at which the level begins\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat out float v_ssgi_end; // square of the distance at which the level ends\n"
     "#if SSGI_SPAN\n"
     "flat out float v_ssgi_seen; // 1: slices can see the surfel\n"
     "#endif\n"
-    "vec2 ssgi_shell(vec4 disc, vec4 turned, vec3 sent, int level, vec2 corner) { // in texels; empty: all are one\n"
+    "vec2 ssgi_shell(vec4 disc, vec4 turned, vec3 sent, int level, vec2 corner) { // in texels\n"
     "    disc.xyz = ssgi_from_yours(disc.xyz);\n"
     "#if SSGI_SPAN\n"
     "    ivec2 pixel = ivec2(floor(ssgi_project(disc.xyz)));\n"
     "    v_ssgi_seen = float(disc.z < 0.0 && ssgi_inside(pixel) && abs(ssgi_depth(pixel) + disc.z) < 2.0 * disc.w);\n"
     "#endif\n"
     "#if SSGI_SPAN && SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
-    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0) // it has the visible surface's light\n"
+    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0) // take its light from the screen\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "#if SSGI_EFFECT < SSGI_EFFECT_BOUNCE\n"
@@ -4656,7 +4676,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float inner = level > 0 ? reach * 0.5 * block : -1.0;\n"
     "    float outer = min(reach * block, u_ssgi_radius);\n"
     "    if (!(outer > max(inner, 0.0))) return vec2(0.0);\n"
-    "    vec3 normal = turned.xyz; // Nothing behind the surfel receives.\n"
+    "    vec3 normal = turned.xyz; // Surfaces behind the surfel receive nothing.\n"
     "#if SSGI_TWO_SIDED || SSGI_EFFECT > SSGI_EFFECT_SPECULAR\n"
     "    normal = vec3(0.0);\n"
     "#endif\n"
@@ -4669,12 +4689,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    texel += vec2(sub * ((ssgi_dealt() + mask) >> level) + ivec2(0, level * ssgi_level().y));\n"
     "#if SSGI_ENLARGE\n"
-    "    // Of block * block surfels a pixel meets one, which stands for all of them.\n"
+    "    // A pixel meets one of block * block surfels, which stands for all of them.\n"
     "    v_ssgi_at = vec4(disc.xyz, disc.w * disc.w * block * block);\n"
     "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
     "#else\n"
     "    v_ssgi_at = vec4(disc.xyz, disc.w * disc.w);\n"
-    "    v_ssgi_turned = vec4(turned.xyz, block * block); // of block * block surfels a pixel meets one\n"
+    "    v_ssgi_turned = vec4(turned.xyz, block * block); // A pixel meets one of block * block surfels.\n"
     "#endif\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
@@ -4691,10 +4711,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_strip", NULL, __LINE__ + 1,
     "layout(points) in;\n"
-    "layout(triangle_strip, max_vertices = 28) out; // Each level has 4.\n"
+    "layout(triangle_strip, max_vertices = 28) out; // 4 for each level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
     "void main() {\n"
-    "    for (int i = 0; i < SSGI_LEVELS * 4; ++i) { // anew, as EmitVertex() leaves outputs undefined\n"
+    "    for (int i = 0; i < SSGI_LEVELS * 4; ++i) { // EmitVertex() leaves outputs undefined, so write all.\n"
     "        vec2 texel = ssgi_quad(i % 4);\n"
     "        texel = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, i / 4, texel);\n"
     "        gl_Position = ssgi_clip(texel, ssgi_level() * ivec2(1, SSGI_LEVELS));\n"
@@ -4706,7 +4726,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_gloss", NULL, __LINE__ + 1,
     "float ssgi_gloss; // sum of discs' form factors with the specular lobe instead of the cosine\n" },
 
-/* Returns one disc's part of ssgi_form; adds that of ssgi_gloss. */
+/* Returns one disc's part of ssgi_form, and adds its part to ssgi_gloss. */
 { "ssgi_disc", NULL, __LINE__ + 1,
     "float ssgi_disc(vec3 offset, vec3 normal, float radius_squared) {\n"
     "    float squared = max(dot(offset, offset), 1e-30);\n"
@@ -4718,12 +4738,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(dot(offset, normal), 0.0) / (squared * (squared + radius_squared));\n"
     "}\n" },
 
+/* Returns the form factor of a disc, without the factors area/pi, weight and cosine at the disc. offset leads to its
+   centre; facing is its normal. */
 { "ssgi_form", NULL, __LINE__ + 1,
-    "// Returns the form factor of a disc with normal facing, whose centre is at offset, but for its area/pi, weight,\n"
-    "// cosine.\n"
     "float ssgi_form(vec3 offset, vec3 normal, vec3 facing, float radius_squared) {\n"
     "#if SSGI_NEAR_SAMPLES > 1\n"
-    "    // Near by, the disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
+    "    // A near disc counts as several smaller ones, as a part of it may rise above the horizon although its\n"
     "    // centre does not.\n"
     "    if (dot(offset, offset) < 16.0 * radius_squared) {\n"
     "        vec3 along = normalize(abs(facing.z) < 0.7 ? vec3(facing.y, -facing.x, 0.0)\n"
@@ -4747,7 +4767,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_effect", NULL, __LINE__ + 1,
-    "// Returns a surfel's contribution; w: form factor.\n"
+    "// Returns a surfel's light; w: its form factor.\n"
     "vec4 ssgi_effect(vec3 sent, vec3 direction, float form, float area) {\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_LIGHT\n"
     "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * direction), 1.0);\n"
@@ -4777,7 +4797,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_TWO_SIDED\n"
     "    away = abs(away);\n"
     "#else\n"
-    "    if (!(away > 0.0)) discard; // Else a closed mesh's back would count, too.\n"
+    "    if (!(away > 0.0)) discard; // Otherwise the back of a closed mesh would count, too.\n"
     "#endif\n"
     "#if SSGI_SPAN\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z);\n"
@@ -4809,7 +4829,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 offset = v_ssgi_at.xyz - P;\n"
     "    float squared = dot(offset, offset);\n"
     "    if (!(squared > v_ssgi_sent.w && squared <= v_ssgi_end)) discard;\n"
-    "    // Surfels that are wider than their sources are deep would show as dots, which deeper sources blur.\n"
+    "    // Surfels wider than the depth of the dipole's sources would show as dots. Deeper sources blur these.\n"
     "    vec3 transport = u_ssgi_dipole[2].xyz;\n"
     "    vec3 deeper = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
     "    vec3 y = u_ssgi_dipole[0].xyz + deeper;\n"
@@ -4823,7 +4843,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" },
 
-/* ssgi_custom_effect is yours. */
+/* You write ssgi_custom_effect. */
 { "main_splat_custom", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
@@ -4867,8 +4887,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ivec2 offset = along << ssgi_shift();\n"
     "        if (i == 0 || !ssgi_inside(pixel + offset)) continue;\n"
     "        float depth = ssgi_depth(pixel + offset);\n"
-    "        float off = abs(ssgi_above_plane(plane, vec2(offset), depth)) * near;\n"
-    "        float weight = max(1.0 - off, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
+    "        float height = abs(ssgi_above_plane(plane, vec2(offset), depth)) * near;\n"
+    "        float weight = max(1.0 - height, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n"
     "#if SSGI_FILTER_NORMALS\n"
     "        if (weight > 0.0)\n"
     "            weight *= max(dot(normal, ssgi_normal(pixel + offset,\n"
@@ -4886,13 +4906,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_saturate_form", "SSGI_COMBINE == SSGI_COMBINE_SHARE", __LINE__ + 1,
-    "// Nobody knows which surfels hide which, so each hides its share of the directions that the others leave.\n"
+    "// It is not known which surfels hide which. So each hides its share of the directions that others leave open.\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
     "}\n" },
 
 { "ssgi_saturate_form", "SSGI_COMBINE == SSGI_COMBINE_ADD", __LINE__ + 1,
-    "// Nobody knows which surfels hide which, so form factors add up, to 1 at most.\n"
+    "// It is not known which surfels hide which. So their form factors are added, up to 1.\n"
     "float ssgi_saturate_form(float form) {\n"
     "    return 1.0 / max(form, 1.0);\n"
     "}\n" },
@@ -4925,12 +4945,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) return;\n"
     "    vec4 sum = ssgi_sum_levels(texel, z);\n"
     "    vec3 normal = transpose(u_ssgi_rotation) * ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z));\n"
-    "    vec3 open = ssgi_irradiance_map(normal, 0);\n"
+    "    vec3 unoccluded = ssgi_irradiance_map(normal, 0);\n"
     "    vec3 dark = sum.xyz * ssgi_saturate_form(sum.w);\n"
     "#if SSGI_RESTORE\n"
-    "    o_ssgi_light.xyz = max(1.0 - dark / max(open, 1e-9), 0.0);\n"
+    "    o_ssgi_light.xyz = max(1.0 - dark / max(unoccluded, 1e-9), 0.0);\n"
     "#else\n"
-    "    o_ssgi_light.xyz = max(open - dark, 0.0);\n"
+    "    o_ssgi_light.xyz = max(unoccluded - dark, 0.0);\n"
     "#endif\n"
     "#if SSGI_SPAN\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_light, ivec2(gl_FragCoord.xy), 0).xyz;\n"
@@ -4959,20 +4979,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- blur takes the mean of a pixel's neighbours on its surface; from half size, that of the texels around it. */
+/* ---- blur takes the mean of a pixel's neighbours on its surface. Below full resolution the neighbours are the
+   gathered texels around the pixel. */
 
 { "ssgi_blurred", NULL, __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
     "    vec3 P, normal;\n"
     "#if SSGI_FILTER == SSGI_FILTER_BILATERAL\n"
-    "    vec4 plane; // A unit of height is SSGI_OFF radii and a pixel.\n"
+    "    vec4 plane; // gives heights above the surface, in units of SSGI_OFF radii and a pixel's footprint\n"
     "#endif\n"
     "    float z, footprint;\n"
     "#if !SSGI_RESOLUTION && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
     "    vec4 now; // the pixel's own texel\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    float frames; // how many are averaged\n"
+    "    float frames; // how many frames are averaged\n"
     "#endif\n"
     "};\n" },
 
@@ -4995,7 +5016,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The filter's unit of distance from a plane. Of a 20th of the radius a groove was mixed with its rim: a 100th took the
+/* The filter's unit of distance from a plane. A 20th of the radius mixed grooves with their rims. A 100th took the
    error of hsao on 56 scenes by seed at 1280x720 from .411 to .406. */
 { "SSGI_OFF", NULL, __LINE__ + 1,
     "const float SSGI_OFF = 0.01; // of the radius\n" },
@@ -5027,7 +5048,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_beside", NULL, __LINE__ + 1,
-    "// Counts neighbours from offset pixels beside the pixel on.\n"
+    "// Makes offsets of neighbours count from the place that is offset pixels beside the pixel.\n"
     "ssgi_blurred ssgi_beside(ssgi_blurred centre, vec2 offset) {\n"
     "#if SSGI_FILTER == SSGI_FILTER_BILATERAL && SSGI_ORTHOGRAPHIC\n"
     "    centre.plane.w += dot(centre.plane.xy, offset);\n"
@@ -5049,7 +5070,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_from_gathered", NULL, __LINE__ + 1,
-    "ivec2 ssgi_from_gathered(ivec2 pixel) { // how far pixel is from the pixel that is gathered of the first 4x4\n"
+    "ivec2 ssgi_from_gathered(ivec2 pixel) { // offset from the gathered pixel of the picture's first 4x4\n"
     "#if SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
     "    return pixel - ssgi_turn_of_16();\n"
     "#else\n"
@@ -5060,7 +5081,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_neighbour_at", NULL, __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 pixel, int x, int y) {\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
-    "    ivec2 texel = (ssgi_from_gathered(pixel) + 2 >> 2) + ivec2(x, y); // from the nearest one on\n"
+    "    ivec2 texel = (ssgi_from_gathered(pixel) + 2 >> 2) + ivec2(x, y); // counted from the nearest\n"
     "    ivec2 gathered = ssgi_gathered(texel);\n"
     "    return ssgi_neighbour(texel + (u_ssgi_target >> 2), gathered, vec2(gathered - pixel));\n"
     "#elif SSGI_RESOLUTION\n"
@@ -5076,45 +5097,48 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* How fast weights fall off the plane, at full size: of 25 the error of hsao-best on 28 scenes by seed at 1280x720 is
-   .3676, of 50 .3672, of 100 .3673. The weight is scaled and shifted so that it is 1 on the plane, and 0 from one unit
-   off it on. */
+/* How fast weights fall with the distance from the plane, at full resolution. With 25 the error of hsao-best on 28
+   scenes by seed at 1280x720 is .3676, with 50 .3672, with 100 .3673. The weight is scaled and shifted so that it is 1
+   on the plane, and 0 at a distance of one unit or more. */
 { "SSGI_STEEP", NULL, __LINE__ + 1,
-    "const float SSGI_STEEP = 50.0; // how fast a neighbour's weight falls off the pixel's plane\n" },
+    "const float SSGI_STEEP = 50.0; // how fast a neighbour's weight falls with its distance from the plane\n" },
 
-/* From half size the weight is never 0, so that the tap closest to the plane wins if none lies on it. The square of a
-   distance from the plane at which a tap has half of its weight: .03 gives hsao-fast an error of .4508, .1 .4460, .3
-   .4451, but mixes surfaces. The scenes are those of SSGI_STEEP. Frames average its noise, so that history takes it
-   closer the more it has: over four moves by seed its first eight frames deviate by .0038 over the truth's with .02
-   throughout, .0030 with .3 over the frames, .0028 with .6. */
-{ "SSGI_HALF_OFF", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
-    "const float SSGI_HALF_OFF = 0.1; // a texel so far off the plane, squared, has half of its weight\n" },
+/* Below full resolution the weight is never 0, so that the neighbour closest to the plane decides if none lies on it.
+   This is the squared distance from the plane at which a neighbour has half of its weight. With .03 hsao-fast has an
+   error of .4508 on the scenes of SSGI_STEEP, with .1 of .4460, with .3 of .4451, but .3 mixes surfaces. The average
+   over frames removes noise, so that pass history divides the value by the number of frames. Over four moves by seed,
+   the first eight frames deviate by .0038 more than the ground truth's with .02 in each frame, by .0030 with .3 over
+   the number of frames, and by .0028 with .6 over that number. */
+{ "SSGI_HALF_HEIGHT", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
+    "const float SSGI_HALF_HEIGHT = 0.1; // a texel so far off the plane, squared, has half of its weight\n" },
 
-{ "SSGI_HALF_OFF", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "const float SSGI_HALF_OFF = 0.3; // over frames\n" },
+{ "SSGI_HALF_HEIGHT", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
+    "const float SSGI_HALF_HEIGHT = 0.3; // is divided by the number of frames\n" },
 
-/* From five frames on the filter needs no more than the four texels next to a pixel: from three on it deviates by a
-   third more (as above). Counts are whole where a camera stands, so that rounding must not decide. */
+/* From five frames on the four texels next to a pixel suffice. If they had to suffice from three on, frames would
+   deviate by a third more (measured as above). Under a still camera the number of frames is whole, so that this bound
+   lies between two whole numbers. */
 { "SSGI_SETTLED", NULL, __LINE__ + 1,
     "const float SSGI_SETTLED = 4.5; // frames from which on the four nearest texels suffice\n" },
 
-/* Where a pixel has an average over frames, these sharpen the filter: a tap's tent, 1 to 16, is multiplied by this plus
-   the tent, so that the nearest texel counts most. 4 gives hsao-history an error of .3737, 12 .3740, 36 .3743. */
+/* If a pixel has an average over frames, the filter is sharper: the tent t of a neighbour, 1 to 16, becomes
+   t * (SSGI_TENT + t), so that the nearest texel counts most. With 4 hsao-history has an error of .3737, with 12 of
+   .3740, with 36 of .3743. */
 { "SSGI_TENT", NULL, __LINE__ + 1,
-    "const float SSGI_TENT = 12.0; // added to the tent: the nearest texel counts most where frames are averaged\n" },
+    "const float SSGI_TENT = 12.0; // the smaller, the more the nearest texel counts if frames are averaged\n" },
 
 { "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
-    "// Returns the weight of a neighbour that is so many pixels away along x or y: a Gaussian [HSAO08 4.1.3].\n"
+    "// Returns the weight of a neighbour by its distance along x or y in pixels: a Gaussian [HSAO08 4.1.3].\n"
     "float ssgi_tent(float away) {\n"
     "    float variance = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
     "    return exp(-0.5 * away * away / variance);\n"
     "}\n" },
 
-/* From half size a tent of 4 pixels, and of 5.5 with radius 2. Of 6 pixels and all 25 taps hsao by 2x6 has an error of
-   .4220 on 13 scenes by seed, of 5.5 without the corners .4217, with a third fewer instructions. At full size a
-   box over a tile of noise. */
+/* At full resolution the weight is a box over a tile of noise. Below it is a tent, which ends at 4 pixels, and with
+   radius 2 at 5.5. If it ended at 6 pixels, hsao with 2 slices of 6 samples would have an error of .4220 on 13 scenes
+   by seed with all 25 texels. It has .4217 with 5.5 pixels and without the corners, by a third fewer instructions. */
 { "ssgi_tent", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
-    "// Returns the weight of a neighbour that is so many pixels away along x or y.\n"
+    "// Returns the weight of a neighbour by its distance along x or y in pixels.\n"
     "float ssgi_tent(float away) {\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    away *= 0.5; // The tent is twice as wide.\n"
@@ -5129,22 +5153,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_GAUSSIAN", __LINE__ + 1,
-    "// How much a neighbour counts, by its view depth z: differences may be a pixel's footprint.\n"
+    "// Returns the weight of a neighbour by its view depth z. It is a half if depths differ by a pixel's footprint.\n"
     "float ssgi_blur_weight(ssgi_blurred centre, ivec2 pixel, vec2 offset, float z) {\n"
     "    return centre.footprint / (centre.footprint + abs(z - centre.z));\n"
     "}\n" },
 
 { "ssgi_blur_weight", "SSGI_FILTER == SSGI_FILTER_BILATERAL", __LINE__ + 1,
-    "// How much a neighbour counts, the less the farther it is off the plane. offset: how many pixels away pixel is.\n"
+    "// Returns the weight of a neighbour by its distance from the plane. offset: pixels from the centre to it.\n"
     "float ssgi_blur_weight(ssgi_blurred centre, ivec2 pixel, vec2 offset, float z) {\n"
-    "    float off = ssgi_above_plane(centre.plane, offset, z);\n"
+    "    float height = ssgi_above_plane(centre.plane, offset, z);\n"
     "#if SSGI_RESOLUTION && SSGI_PASS == SSGI_PASS_HISTORY\n"
-    "    float weight = 1.0 / (SSGI_HALF_OFF / centre.frames + off * off);\n"
+    "    float weight = 1.0 / (SSGI_HALF_HEIGHT / centre.frames + height * height);\n"
     "#elif SSGI_RESOLUTION\n"
-    "    float weight = 1.0 / (SSGI_HALF_OFF + off * off);\n"
+    "    float weight = 1.0 / (SSGI_HALF_HEIGHT + height * height);\n"
     "#else\n"
     "    const float least = 1.0 / SSGI_STEEP;\n"
-    "    float weight = max((1.0 + least) / (1.0 + SSGI_STEEP * off * off) - least, 0.0);\n"
+    "    float weight = max((1.0 + least) / (1.0 + SSGI_STEEP * height * height) - least, 0.0);\n"
     "#endif\n"
     "#if SSGI_FILTER_NORMALS\n"
     "    weight *= max(dot(centre.normal, ssgi_normal(pixel, ssgi_position(vec2(pixel) + 0.5, z))), 1e-3);\n"
@@ -5175,7 +5199,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_filtered", NULL, __LINE__ + 1,
     "struct ssgi_filtered { // sums over a pixel and its neighbours\n"
-    "    vec4 light; // xyz: light or visibility, times weight; w: weights\n"
+    "    vec4 light; // xyz: the sum of light or visibility, times weight; w: the sum of weights\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
     "    ssgi_coefficients sums; // times weight\n"
     "#endif\n"
@@ -5227,7 +5251,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (centre.frames >= SSGI_SETTLED) weight *= SSGI_TENT + weight;\n"
     "#endif\n"
     "    weight *= ssgi_blur_weight(centre, neighbour.pixel, neighbour.offset, texel.w);\n"
-    "    // Not >=, as background in 16 bits is infinity or NaN.\n"
+    "    // Background in 16 bits is infinity or NaN. Both fail this test, as a comparison with NaN is false.\n"
     "    if (inside && texel.w < SSGI_FAR) ssgi_filtered_add(filtered, texel, weight);\n"
     "}\n" },
 
@@ -5240,7 +5264,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_corner", NULL, __LINE__ + 1,
-    "bool ssgi_corner(ivec2 offset) { // whether that is a corner of the filter, which it goes without\n"
+    "bool ssgi_corner(ivec2 offset) { // whether a texel is a corner of the filter, which is left out\n"
     "#if SSGI_RESOLUTION && SSGI_FILTER_RADIUS > 1\n"
     "    return abs(offset.x) + abs(offset.y) == 2 * SSGI_FILTER_RADIUS;\n"
     "#else\n"
@@ -5280,9 +5304,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return filtered;\n"
     "}\n" },
 
-/* Frames average, too: where a pixel has some, the four texels next to it suffice. */
+/* The average over frames is a filter, too: if a pixel has enough frames, the four texels next to it suffice. */
 { "ssgi_filter", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "// Sums over the texels around pixel, or next to it.\n"
+    "// Sums over the texels next to pixel. If it has few frames, sums over the other texels around it, too.\n"
     "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) {\n"
     "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if !SSGI_RESOLUTION\n"
@@ -5333,7 +5357,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_restored", NULL, __LINE__ + 1,
-    "// Returns the light itself from the form that was filtered.\n"
+    "// Returns light from the form in which it was filtered, which desc.light.restore names.\n"
     "vec3 ssgi_restored(vec3 light, ssgi_blurred centre) {\n"
     "#if !SSGI_RESTORE\n"
     "    return light;\n"
@@ -5380,20 +5404,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_specular_visibility", NULL, __LINE__ + 1,
-    "// bent, normal: cosines of the mirrored view direction to the bent normal and to the normal.\n"
+    "// bent, normal: cosines between the mirrored view direction and the bent normal, and the normal.\n"
     "float ssgi_specular_visibility(float visibility, float bent, float normal, float roughness) {\n"
     "    vec2 slopes = vec2(0.82, 2.4) + vec2(0.32, -1.77) * roughness;\n"
     "    return clamp(1.0 - slopes.x * (1.0 - visibility) - slopes.y * visibility * (normal - bent), 0.0, 1.0);\n"
     "}\n" },
 
 /* ---- ssgi_gl_read: functions by which your own shaders read results of gathers, or of filters behind them. They weigh
-   texels as blur does, but for the surface that you shade, which need not be the one that the depth buffer shows. */
+   texels as blur does, but by the surface that you shade. It need not be the surface that the depth buffer shows. */
 
-/* Where no texel shows that surface, as in front of all others, nothing is known to occlude it, and no occlusion has a
-   weight, too. At full size texels of other surfaces have none. From half size theirs falls off over the distance,
-   and no occlusion has that of 3x3 texels a radius away, or 16 units of SSGI_OFF, if that is more. Half of a radius
-   would serve panes better, but is worse on leaves whose texels are all another leaf's: on grass .272 where the filter
-   has .258, of a whole radius .270 where it has .264, over the pixels that differ by .002. */
+/* If no texel shows the shaded surface, for instance a pane in front of all others, then nothing is known to occlude
+   it. So the value "unoccluded" has this weight in the mean. At full resolution texels of other surfaces have no
+   weight. Below it their weight falls with the distance, and "unoccluded" weighs as much as 3x3 texels at a distance of
+   one radius, or of 16 units of SSGI_OFF if that is more. Half a radius would serve panes better, but is worse on
+   leaves around which all texels show other leaves. On grass, over the pixels that differ by .002, the error is .272
+   with half a radius (the filter's: .258), and .270 with a whole one (the filter's: .264). */
 { "ssgi_unshown", NULL, __LINE__ + 1,
     "float ssgi_unshown(ssgi_blurred centre) {\n"
     "#if SSGI_RESOLUTION\n"
@@ -5405,16 +5430,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_surface_at", NULL, __LINE__ + 1,
-    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 normal) { // the place need not be a pixel's centre\n"
+    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 normal) { // pixel: a place in pixels, not only a centre\n"
     "    ssgi_blurred centre;\n"
     "    z = ssgi_own_depth(z);\n"
-    "    vec2 off = fract(pixel) - 0.5;\n"
+    "    vec2 offset = fract(pixel) - 0.5;\n"
     "    centre.z = z;\n"
     "    centre.normal = ssgi_view_normal(normal);\n"
     "    centre.P = ssgi_position(pixel, z);\n"
     "    centre.footprint = ssgi_footprint(z);\n"
     "    centre.plane = ssgi_plane(centre.P, centre.normal) / (SSGI_OFF * u_ssgi_radius + centre.footprint);\n"
-    "    centre = ssgi_beside(centre, -off);\n"
+    "    centre = ssgi_beside(centre, -offset);\n"
     "#if !SSGI_RESOLUTION && SSGI_QUANTITY != SSGI_QUANTITY_COEFFICIENTS\n"
     "    centre.now = vec4(0.0); // Nothing reads it here.\n"
     "#endif\n"
@@ -5422,7 +5447,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_read", NULL, __LINE__ + 1,
-    "// Sums over the texels around, if they show the surface.\n"
+    "// Sums over the texels around a place, weighted by how near their surfaces are to this one.\n"
     "ssgi_filtered ssgi_read(vec2 pixel, ssgi_blurred centre) {\n"
     "    const int side = 2 * SSGI_FILTER_RADIUS + 1;\n"
     "    ivec2 whole = ivec2(floor(pixel));\n"
@@ -5433,14 +5458,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    filtered.light.w = ssgi_unshown(centre);\n"
     "#endif\n"
     "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
-    "    ssgi_filter_at(filtered, whole, centre, ivec2(0)); // It is filtered already.\n"
+    "    ssgi_filter_at(filtered, whole, centre, ivec2(0)); // This texel is filtered already.\n"
     "    int more = filtered.light.w < 0.5 ? side * side : 0;\n"
     "#else\n"
     "    const int more = side * side;\n"
     "#endif\n"
     "    for (int i = 0; i < more; ++i) {\n"
     "#if SSGI_PASS == SSGI_PASS_COMPOSE\n"
-    "        if (i == side * side / 2) continue; // the pixel's own\n"
+    "        if (i == side * side / 2) continue; // the pixel's own texel\n"
     "#endif\n"
     "        ivec2 offset = ivec2(i % side, i / side) - SSGI_FILTER_RADIUS;\n"
     "        if (!ssgi_corner(offset)) ssgi_filter_at(filtered, whole, centre, offset);\n"
@@ -5458,15 +5483,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_visibility_at", "SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY", __LINE__ + 1,
-    "// Returns the ambient visibility of a surface of view depth z and unit normal that is seen at a place in the\n"
-    "// picture, in pixels from its first corner.\n"
+    "// Returns the ambient visibility of a surface of view depth z and unit normal, which is seen at a place in the\n"
+    "// picture. The place is in pixels from the corner of pixel (0, 0).\n"
     "float ssgi_visibility_at(vec2 pixel, float z, vec3 normal) {\n"
     "    ssgi_filtered filtered = ssgi_read(pixel, ssgi_surface_at(pixel, z, normal));\n"
     "    return filtered.light.x / filtered.light.w;\n"
     "}\n" },
 
 { "ssgi_irradiance_at", "SSGI_QUANTITY == SSGI_QUANTITY_LIGHT", __LINE__ + 1,
-    "// Returns irradiance over pi; 0 where no texel near shows the surface, and nothing is restored.\n"
+    "// Returns irradiance over pi. If no near texel shows the surface, the result is 0, or with desc.light.restore\n"
+    "// the unoccluded irradiance.\n"
     "vec3 ssgi_irradiance_at(vec2 pixel, float z, vec3 normal) {\n"
     "    ssgi_blurred centre = ssgi_surface_at(pixel, z, normal);\n"
     "    ssgi_filtered filtered = ssgi_read(pixel, centre);\n"
@@ -5474,7 +5500,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_coefficients_at", "SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS", __LINE__ + 1,
-    "// Returns coefficients, for ssgi_sh_dot; 0 where no texel near shows the surface.\n"
+    "// Returns coefficients, for ssgi_sh_dot. They are 0 if no near texel shows the surface.\n"
     "ssgi_coefficients ssgi_coefficients_at(vec2 pixel, float z, vec3 normal) {\n"
     "    ssgi_filtered filtered = ssgi_read(pixel, ssgi_surface_at(pixel, z, normal));\n"
     "    return ssgi_scaled(filtered.sums, filtered.light.w > 0.0 ? 1.0 / filtered.light.w : 0.0);\n"
@@ -5498,47 +5524,49 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, pixel + u_ssgi_origin, 0).xyz, 0.0);\n"
     "}\n" },
 
-/* ---- history filters as blur does, and averages that over the last frames in which this surface was seen. Where light
-   changes the average follows: a mean over three frames (quick) is kept beside that over all. */
+/* ---- history filters as blur does, and averages the result over the last frames in which this surface was seen. A
+   mean over three frames (quick) is kept beside the mean over all frames. If light changes, quick follows, and then
+   moves the mean over all. */
 
-/* How far quick may be from this frame's filtered value: 0.7 of the neighbours' deviation, which is three to five times
-   the noise of a filtered value, so that a greater difference is a change; and 2 % of the value, for neighbours without
-   a deviation. */
+/* The most by which quick may differ from this frame's filtered value: 0.7 of the neighbours' deviation, plus 2 % of
+   the value. The former is three to five times the noise of a filtered value, so that a larger difference is a change.
+   The latter is for neighbours without a deviation. */
 { "SSGI_JUMP", NULL, __LINE__ + 1,
     "const vec2 SSGI_JUMP = vec2(0.7, 0.02); // the quick mean's bound: deviations; share of the value\n" },
 
-/* How far the mean over all frames may be from quick: by the noise of a filtered value, which is a quarter to a seventh
-   of the deviation; and by 0.5 % of the mean, about a step of 8 bits. */
+/* The most by which the mean over all frames may differ from quick, called a drift: 0.2 of the deviation, plus 0.5 % of
+   the value. The noise of a filtered value is a quarter to a seventh of the deviation; 0.5 % is about a step of 8
+   bits. */
 { "SSGI_DRIFT", NULL, __LINE__ + 1,
-    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005); // how far the mean may be from the quick one, likewise\n" },
+    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005); // the bound of the mean: deviations; share of the value\n" },
 
-/* The share of the frames that is forgotten where the mean had to follow by a drift or more: of 16 frames two stay. */
+/* If quick moved the mean by a drift or more, this share of its frames is forgotten: of 16 frames two stay. */
 { "SSGI_FORGOTTEN", NULL, __LINE__ + 1,
-    "const float SSGI_FORGOTTEN = 0.85; // share of the frames that is forgotten where the mean had to follow\n" },
+    "const float SSGI_FORGOTTEN = 0.85; // share of the frames that is forgotten if quick moved the mean\n" },
 
-/* Interpolation blurs once a frame, so that fewer frames are kept the more it blurs: of 16 frames 10.7 where a place
-   lies midway between two pixels, 8 amid four. */
+/* Interpolation blurs the average once a frame. The more it blurs, the fewer frames are kept: of 16 frames 10.7 if a
+   place lies midway between two pixels, and 8 if it lies amid four. */
 { "SSGI_BLURRED", NULL, __LINE__ + 1,
     "const float SSGI_BLURRED = 2.0; // how many fewer frames are kept, the more interpolation blurs them\n" },
 
-/* The share of all surfaces within the radius whose change leaves one frame beside this one: of .01 a box that slides
-   has 1.051 times the error of its frame alone, of .007 1.042 (make stability, kept-slide). */
+/* If this share of all surfaces within the radius came or went, one frame is kept beside the present one. With .01 a
+   box that slides has 1.051 times the error of a single frame, with .007 1.042 times (make stability, kept-slide). */
 { "SSGI_CHANGED", NULL, __LINE__ + 1,
     "const float SSGI_CHANGED = 0.007; // share of changed surfaces that leaves one frame beside this\n" },
 
-/* Where motion vectors say that nothing moves, fewer changed depths of a tile than this share are edges that pixels
-   sample otherwise than in the last frame, such as leaves'. */
+/* If motion vectors show that nothing in a tile moves, and a smaller share of its depths than this has changed, then
+   these pixels lie at edges, as of leaves, and merely sample them at other places than in the last frame. */
 { "SSGI_APPEARED", NULL, __LINE__ + 1,
-    "const float SSGI_APPEARED = 0.25; // fewer changed depths of a tile are edges that are sampled otherwise\n" },
+    "const float SSGI_APPEARED = 0.25; // a smaller share of changed depths is edges, sampled at other places\n" },
 
-/* Neither NaN nor more than 1e9. The bits decide, since compilers turn !(a < b) into a >= b. */
+/* Whether all values are numbers up to 1e9, not NaN. The bits are compared, as compilers turn !(a < b) into a >= b. */
 { "ssgi_finite", NULL, __LINE__ + 1,
     "bool ssgi_finite(vec4 values) {\n"
     "    return all(lessThan(floatBitsToUint(values) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
     "}\n" },
 
 { "ssgi_reproject", NULL, __LINE__ + 1,
-    "// Returns the pixel and the depth that P had in the last frame.\n"
+    "// Returns the place in pixels and the depth that P had in the last frame.\n"
     "vec3 ssgi_reproject(vec3 P) {\n"
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
@@ -5565,8 +5593,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_last", NULL, __LINE__ + 1,
-    "struct ssgi_last { // this surface as the last frame has it\n"
-    "    float known; // the weight of the texels that show the surface; 0 if it is below 0.25\n"
+    "struct ssgi_last { // the values of this surface that the last frame kept\n"
+    "    float known; // sum of the weights of the texels that show the surface; 0 if it is below 0.25\n"
     "    float blurred; // how much interpolation blurs the averages, 0 .. 0.5\n"
     "#if SSGI_MOTION\n"
     "    bool moves; // The surface moves on its own, not by the camera alone.\n"
@@ -5584,7 +5612,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_own_motion", "SSGI_MOTION", __LINE__ + 1,
-    "vec2 ssgi_own_motion(ivec2 pixel, vec2 was) { // returns its own motion; by the camera's it was at `was`\n"
+    "vec2 ssgi_own_motion(ivec2 pixel, vec2 was) { // in pixels; was: its place if only the camera moved\n"
     "    vec2 moved = texelFetch(t_ssgi_motion, pixel + u_ssgi_origin, 0).xy;\n"
     "    return (vec2(pixel) + 0.5 - moved) * vec2(u_ssgi_last_size) / vec2(u_ssgi_size) - was;\n"
     "}\n" },
@@ -5596,14 +5624,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* Kept depths may be of 16 bits, which round by half a thousandth. */
 { "SSGI_KEPT_ROUNDS", NULL, __LINE__ + 1,
-    "const float SSGI_KEPT_ROUNDS = 0.001; // of the depth: kept depths of a surface differ by less\n" },
+    "const float SSGI_KEPT_ROUNDS = 0.001; // share of the depth: kept depths of a surface differ by less\n" },
 
-/* A still camera reprojects to a texel's centre but for rounding, and must then read that texel alone. */
+/* Under a still camera a pixel's last place is a texel's centre, apart from rounding, and only that texel may be
+   read. */
 { "SSGI_CENTRED", NULL, __LINE__ + 1,
-    "const float SSGI_CENTRED = 0.01; // A place this close to a texel's centre, in texels, is that texel's.\n" },
+    "const float SSGI_CENTRED = 0.01; // A place this close to a texel's centre, in texels, counts as it.\n" },
 
-/* Reprojects P and interpolates between those of the last frame's four texels around it that show P's plane. A texel
-   shows it if it is within the slack of it: half a footprint and the rounding of kept depths. */
+/* Reprojects P, and interpolates between those of the last frame's four texels around it that show P's plane. A texel
+   shows the plane if its distance from it is less than the slack: half a footprint and the rounding of kept depths. */
 { "ssgi_last_of", NULL, __LINE__ + 1,
     "ssgi_last ssgi_last_of(ivec2 pixel, vec3 P, vec3 normal) {\n"
     "    ssgi_last none = ssgi_last_none();\n"
@@ -5611,12 +5640,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 was = ssgi_reproject(P);\n"
     "    vec2 place = was.xy + u_ssgi_jitter;\n"
     "    float footprint = u_ssgi_last_footprint * ssgi_footprint(-P.z);\n"
-    "    vec4 plane = vec4(normal, 0.0) * u_ssgi_last_from; // It takes pixels and depths of the last frame.\n"
+    "    vec4 plane = vec4(normal, 0.0) * u_ssgi_last_from; // for pixels and depths of the last frame\n"
     "    plane.w -= dot(normal, P);\n"
     "    float slack = 0.5 * footprint - SSGI_KEPT_ROUNDS * P.z;\n"
     "#if SSGI_MOTION\n"
     "    vec2 own = ssgi_own_motion(pixel, place);\n"
-    "    slack += max(length(own) - 0.5, 0.0) * footprint; // Its depth may have changed by that.\n"
+    "    slack += max(length(own) - 0.5, 0.0) * footprint; // The surface's depth may have changed as much.\n"
     "    place += own;\n"
     "    sum.moves = ssgi_moves(own);\n"
     "#endif\n"
@@ -5650,22 +5679,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return sum;\n"
     "}\n" },
 
-/* As many neighbours of equal weight as a filter sees where all lie in the pixel's plane: 3x3 texels; from half size
-   weights fall off. A third of 9 and 7 takes the error of hsao-history from .3740 to .3888, three times as much
-   to .3683 (scenes: SSGI_STEEP); the larger it is, the later a change of light is noticed. */
+/* If all neighbours lie in the pixel's plane, the filter averages as well as this number of equal weights: 9 for 3x3
+   texels at full resolution, 7 below it, where weights fall off. A third of both numbers takes the error of
+   hsao-history from .3740 to .3888, and three times both to .3683 (on the scenes of SSGI_STEEP). The larger the number
+   is, the later a change of light is noticed. */
 { "SSGI_EVEN", "!SSGI_RESOLUTION", __LINE__ + 1,
     "const float SSGI_EVEN = 9.0; // neighbours of equal weight that the filter sees on a plane\n" },
 
 { "SSGI_EVEN", "SSGI_RESOLUTION", __LINE__ + 1,
     "const float SSGI_EVEN = 7.0; // neighbours of equal weight that the filter sees on a plane\n" },
 
-/* The deviation of few neighbours says little, so it is taken to be larger, and this share of the mean is added by
-   squares. Without it hsao-history has an error of .3932, of twice as much .3703 (scenes: SSGI_STEEP), but the
-   more is added the later a change of light is noticed. */
+/* The deviation of few neighbours is uncertain, so it is taken to be larger: the square of this share of the mean is
+   added to their variance. Without it hsao-history has an error of .3932, and with twice as much of .3703 (on the
+   scenes of SSGI_STEEP). But the more is added, the later a change of light is noticed. */
 { "SSGI_DOUBT", NULL, __LINE__ + 1,
     "const float SSGI_DOUBT = 0.1; // share of the mean that is added to the deviation of few neighbours\n" },
 
-/* The variance of one neighbour is 0 / 0 without this bound. */
 { "SSGI_ALONE", NULL, __LINE__ + 1,
     "const float SSGI_ALONE = 0.2; // without this bound the variance of one neighbour would be 0 / 0\n" },
 
@@ -5675,7 +5704,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float few = SSGI_EVEN * one;\n"
     "    float variance = max(filtered.spread.x / filtered.light.w - mean * mean, 0.0);\n"
     "    float doubt = SSGI_DOUBT * mean;\n"
-    "    variance /= max(1.0 - one, SSGI_ALONE); // This makes it unbiased.\n"
+    "    variance /= max(1.0 - one, SSGI_ALONE); // This removes its bias.\n"
     "    return sqrt((variance + doubt * doubt * max(few - 1.0, 0.0)) * few);\n"
     "}\n" },
 
@@ -5683,14 +5712,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_frames(ivec2 pixel, ssgi_last last) { // how many frames are averaged, this one among them\n"
     "    float changed = texelFetch(t_ssgi_change_share, pixel / 8 + u_ssgi_target / 8, 0).x;\n"
     "#if SSGI_MOTION\n"
-    "    if (last.moves) changed = 0.0; // most of the change is its own motion, which is followed\n"
+    "    if (last.moves) changed = 0.0; // Most of the change is the surface's own motion.\n"
     "#endif\n"
     "    float most = max(u_ssgi_history_frames / (1.0 + SSGI_BLURRED * last.blurred), 1.0);\n"
     "    most = min(most, 1.0 + SSGI_CHANGED / max(changed, 1e-9));\n"
     "    return last.known > 0.0 ? min(u_ssgi_pace * last.kept.means.y + 1.0, most) : 1.0;\n"
     "}\n" },
 
-/* Averages this frame with the last ones. Where their mean differs from it by more than noise, it follows. */
+/* Averages this frame with the last ones. If the mean differs from quick by more than noise, it is moved toward
+   quick. */
 { "ssgi_averaged", NULL, __LINE__ + 1,
     "ssgi_kept ssgi_averaged(vec4 now, float deviation, float frames, ssgi_last last) {\n"
     "    float grey = ssgi_grey(now);\n"
@@ -5721,15 +5751,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_blurred centre = ssgi_blurred_at(pixel);\n"
     "    ssgi_last last = ssgi_last_of(pixel, centre.P, centre.normal);\n"
     "    float frames = ssgi_frames(pixel, last);\n"
-    "    centre.frames = centre.z < SSGI_FAR ? frames : SSGI_SETTLED; // background needs no filter\n"
+    "    centre.frames = centre.z < SSGI_FAR ? frames : SSGI_SETTLED; // Background needs no filter.\n"
     "    ssgi_filtered filtered = ssgi_filter(pixel, centre);\n"
     "    vec4 now = vec4(filtered.light.xyz / filtered.light.w, centre.z);\n"
     "#if SSGI_QUANTITY == SSGI_QUANTITY_VISIBILITY\n"
-    "    float open = 1.0;\n"
+    "    float unoccluded = 1.0;\n"
     "#elif SSGI_QUANTITY == SSGI_QUANTITY_LIGHT\n"
-    "    float open = 0.0;\n"
+    "    float unoccluded = 0.0;\n"
     "#endif\n"
-    "    ssgi_kept kept = ssgi_kept(vec4(vec3(open), centre.z), vec2(open, 1.0));\n"
+    "    ssgi_kept kept = ssgi_kept(vec4(vec3(unoccluded), centre.z), vec2(unoccluded, 1.0));\n"
     "    if (centre.z < SSGI_FAR && filtered.light.w > 0.0 && ssgi_finite(now)) {\n"
     "        kept = ssgi_averaged(now, ssgi_deviation(filtered, ssgi_grey(now)), frames, last);\n"
     "    }\n"
@@ -5748,9 +5778,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- change_mask, change_share: these passes tell history which surfaces came or went within the radius. An average
-   that holds an occluder's shadow is worth nothing once the occluder has gone; a moving camera alone changes
-   nothing. */
+/* ---- change_mask, change_share: these passes tell history which surfaces came or went within the radius. Once an
+   occluder has gone, an average that holds its shadow is worthless. If the camera alone moves, no surface counts as
+   changed. */
 
 { "ssgi_depth_last", NULL, __LINE__ + 1,
     "float ssgi_depth_last(ivec2 pixel) {\n"
@@ -5758,11 +5788,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return z < SSGI_FAR ? z : SSGI_FAR; // background in 16 bits is infinity or NaN\n"
     "}\n" },
 
-/* Without it an object that moved by a pixel is not noticed while the camera stands still. */
+/* Without this bound an object that moved by a pixel would not be noticed while the camera stands still. */
 { "SSGI_BESIDE", NULL, __LINE__ + 1,
-    "const float SSGI_BESIDE = 0.02; // A place that is this close to a pixel, in pixels, counts as that one.\n" },
+    "const float SSGI_BESIDE = 0.02; // A place this close to a pixel's centre, in pixels, counts as it.\n" },
 
-/* Finds the pixel of least depth among the four that a place lies between, in the last frame or in this: its place and
+/* Finds the pixel of least depth among the four around a place, in the last frame or in this one. Returns its place and
    its depth. */
 { "ssgi_nearest", NULL, __LINE__ + 1,
     "vec3 ssgi_nearest(vec2 place, bool last) {\n"
@@ -5783,11 +5813,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slack", NULL, __LINE__ + 1,
-    "float ssgi_slack(float z) { // Depths of one surface differ by less from frame to frame; one of them was kept.\n"
+    "float ssgi_slack(float z) { // A surface's depth differs by less from its kept depth of the last frame.\n"
     "    return u_ssgi_last_footprint * ssgi_footprint(z) + 2.0 * SSGI_KEPT_ROUNDS * z;\n"
     "}\n" },
 
-/* Whether the last frame had another depth where a point was, which is seldom so. */
+/* Whether the last frame showed another surface at the place of a point, which is rare. */
 { "ssgi_depth_differs", NULL, __LINE__ + 1,
     "bool ssgi_depth_differs(vec3 was) {\n"
     "    float z = ssgi_depth_last(ivec2(floor(was.xy)));\n"
@@ -5795,12 +5825,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return shown && abs(z - was.z) > ssgi_slack(was.z);\n"
     "}\n" },
 
-/* The surface that a pixel shows now came if it stands in front of the one that the last frame saw there. The last
-   frame's surface went if it would stand in front of the one that is seen now, at the place where it would be now. A
-   nearer surface that hides or bares it as the camera moves counts for neither. To stand in front means to be off the
-   plane, too, as depths on a steep surface differ from pixel to pixel. */
+/* The surface that a pixel shows now came if it stands in front of the surface that the last frame showed there. The
+   last frame's surface went if, moved to where it would be now, it would stand in front of the surface that is seen
+   there. Both tests fail if a nearer surface merely hides or bares the other as the camera moves. Depths on a steep
+   surface differ from pixel to pixel, so each test takes the nearest of four pixels. */
 { "ssgi_change", NULL, __LINE__ + 1,
-    "float ssgi_change(ivec2 pixel, vec3 was) { // returns its view depth; 0: none came or went\n"
+    "float ssgi_change(ivec2 pixel, vec3 was) { // returns the view depth of this surface; 0: none came or went\n"
     "    vec3 occluder = ssgi_nearest(was.xy - 0.5, true);\n"
     "    bool came = occluder.z > was.z;\n"
     "    occluder.xy += 0.5;\n"
@@ -5821,16 +5851,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tested", NULL, __LINE__ + 1,
-    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 pixels of the tile, other ones in each frame\n"
+    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 pixels of the tile; frames differ in which\n"
     "    return min(8 * ssgi_tile() + 2 * ivec2(nth & 3, nth >> 2) + ssgi_turn(0), u_ssgi_size - 1);\n"
     "}\n" },
 
 { "ssgi_pixel_was", NULL, __LINE__ + 1,
-    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // where its point was in the last frame, unless it moves\n"
+    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // where the pixel's point was in the last frame if it rests\n"
     "    return ssgi_reproject(ssgi_position(vec2(pixel) + 0.5, z));\n"
     "}\n" },
 
-/* The places where depths differ are found first, since they are few: the loop over them ends at once elsewhere. */
+/* A first loop finds the pixels whose depths differ. They are few, so that in most tiles the second loop ends at
+   once. */
 { "main_change_mask", NULL, __LINE__ + 1,
     "void main() {\n"
     "    vec4 mask = vec4(0.0, SSGI_FAR, 0.0, 0.0);\n"
@@ -5864,7 +5895,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_change_mask = vec4(mask.xyz, nearest);\n"
     "}\n" },
 
-/* Seven tiles on a side are read, farther apart where the radius reaches beyond them. */
+/* 7x7 tiles are read, which are farther apart if the radius reaches beyond them. */
 { "main_change_share", NULL, __LINE__ + 1,
     "void main() {\n"
     "    ivec2 tile = ssgi_tile();\n"
@@ -5899,12 +5930,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>rows: inputs and outputs ================================================================================== */
 
-/* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
-   Texture units are fixed, and differ where textures meet in a pass. Locations of outputs and attributes, and places
-   of captures, count up in this order. */
+/* A row is declared in a shader if a function that is kept names it, and `when` holds, a condition as in #if lines
+   (NULL: always). Units of textures are fixed, and differ for any two textures of one pass. Locations of outputs and
+   attributes, and places of captures, count up in this order. */
 typedef struct ssgi_gl__row {
     const char *when;
-    size_t bytes; /* of a member; 1: a texture of yours, which desc.input.array makes an array */
+    size_t bytes; /* size of a member; 1: a texture of yours, which desc.input.array makes an array */
     ssgi_gl_io io;
 } ssgi_gl__row;
 
@@ -5929,7 +5960,7 @@ typedef struct ssgi_gl__row {
 #define SSGI_GL__ROW_CAPTURE(name, type, is) \
     { NULL, 0, { "v_ssgi_" name, SSGI_GL_IO_CAPTURE, type, 0, 0, is, 0, 0 } }
 
-/* A texture and an output of one name: s3ho writes them, shade and blur read them. */
+/* A texture and an output of one name: s3ho writes the coefficients, and shade and blur read them. */
 #define SSGI_GL__ROWS_FLOATS(name, unit, is) \
     SSGI_GL__ROW_TEXTURE(name, unit, "!packed_coefficients", "sampler2D", SSGI_GL__HDR ": " is), \
     SSGI_GL__ROW_OUTPUT(name, "!packed_coefficients", "vec4", SSGI_GL__HDR ": " is)
@@ -5984,10 +6015,10 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(exponent, "float", ""),
     SSGI_GL__ROW_FRAME(history_frames, "float", "frames"),
     SSGI_GL__ROW_FRAME(oblique, "vec2", "window depth per pixel"),
-    SSGI_GL__ROW_FRAME(window, "vec4", "a band"),
+    SSGI_GL__ROW_FRAME(window, "vec4", "a factor for each band"),
     SSGI_GL__ROW_FRAME(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
-    SSGI_GL__ROW_FRAME(last_from, "mat4", "and back"),
-    SSGI_GL__ROW_FRAME(slice, "int", "of your textures"),
+    SSGI_GL__ROW_FRAME(last_from, "mat4", "the last frame's pixels (times depth) and depth to view space"),
+    SSGI_GL__ROW_FRAME(layer, "int", "of your textures"),
     SSGI_GL__ROW_FRAME(pace, "float", ""),
     SSGI_GL__ROW_FRAME(last_size, "ivec2", "pixels"),
     SSGI_GL__ROW_FRAME(jitter, "vec2", "pixels"),
@@ -5995,7 +6026,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_FRAME(strength, "float", ""),
 
     SSGI_GL__ROW_VIEWS(to, "mat4[4]", "view space to pixels (times depth) and depth"),
-    SSGI_GL__ROW_VIEWS(from, "mat4[4]", "and back"),
+    SSGI_GL__ROW_VIEWS(from, "mat4[4]", "pixels (times depth) and depth to view space"),
     SSGI_GL__ROW_VIEWS(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
     SSGI_GL__ROW_VIEWS(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
 
@@ -6005,14 +6036,14 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                        "RGBA16F, RGB10_A2, RG16F .. as desc.input.normal says, NEAREST"),
     SSGI_GL__ROW_TEXTURE("depth", 0, "multisampled", "sampler2DMS", "hardware depth or R32F view depth: sample 0"),
     SSGI_GL__ROW_TEXTURE("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.input.normal says: sample 0"),
-    SSGI_GL__ROW_TEXTURE("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
-    SSGI_GL__ROW_TEXTURE("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("normal", 1, "receiver", "sampler2DArray", "normals of depth layer i + 2, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("layers", 2, NULL, "sampler2DArray", "depth layer i + 2, as t_ssgi_depth, NEAREST"),
     SSGI_GL__ROW_TEXTURE("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
     SSGI_GL__ROW_TEXTURE("views", 4, NULL, "sampler2DArray",
-                         "hardware depth, slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__ROW_TEXTURE("emitters", 5, NULL, "usampler2DArray", "RG32UI: of pass emitters, a slice a layer, NEAREST"),
+                         "hardware depth, array layer camera * view_layers + layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("emitters", 5, NULL, "usampler2DArray", "RG32UI: of pass emitters, by depth layer, NEAREST"),
     SSGI_GL__ROW_TEXTURE("view_emitters", 6, NULL, "usampler2DArray",
-                         "RG32UI: slice camera * view_layers + layer, NEAREST"),
+                         "RG32UI: array layer camera * view_layers + layer, NEAREST"),
     SSGI_GL__ROW_TEXTURE("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
     SSGI_GL__ROW_TEXTURE("environment", 8, NULL, "sampler2D",
                          "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
@@ -6028,7 +6059,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("last_bounce", 10, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: the bounce of the last frame"),
     SSGI_GL__ROW_YOURS("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
     SSGI_GL__ROW_YOURS("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
-    SSGI_GL__ROW_TEXTURE("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
+    SSGI_GL__ROW_TEXTURE("albedo", 13, "receiver", "sampler2DArray", "albedos of depth layer i + 2, NEAREST"),
     SSGI_GL__ROW_YOURS("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
     SSGI_GL__ROW_YOURS("back", 13, "thickness != SLABS", "sampler2D",
                        "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
@@ -6039,7 +6070,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("thickness", 2, NULL, "usampler2D", "RGBA32UI, half size, NEAREST: of pass thickness"),
     SSGI_GL__ROW_YOURS("objects", 3, NULL, "usampler2D",
                        "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
-    SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
+    SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a field a layer"),
     SSGI_GL__ROW_TEXTURE("cap", 5, NULL, "sampler2D", "R32F or R16F, any size, NEAREST: ssgi_cap_table"),
     SSGI_GL__ROW_TEXTURE("interleaved", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: of pass interleave"),
     SSGI_GL__ROW_TEXTURE("levels", 3, NULL, "sampler2D",
@@ -6048,7 +6079,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__ROW_TEXTURE("history", 2, NULL, "sampler2D",
                          "this pass's output for the last frame, NEAREST: o_ssgi_ao; o_ssgi_light, or with "
                          "desc.light.restore o_ssgi_history"),
-    SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
+    SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "this pass's output for the last frame, NEAREST: o_ssgi_means"),
     SSGI_GL__ROW_TEXTURE("change_mask", 3, NULL, "sampler2D",
                          SSGI_GL__HDR ", an eighth of the size, NEAREST: of pass change_mask"),
     SSGI_GL__ROW_TEXTURE("change_share", 5, NULL, "sampler2D",
@@ -6074,11 +6105,11 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                         "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
                         "and 14, octahedral view-space normal as 6 6"),
     SSGI_GL__ROW_OUTPUT("thickness", NULL, "uvec4",
-                        "RGBA32UI: of each pixel of a 2x2 view depth; its last 6 bits are thickness in radii / 63 "
-                        "(orthographic: see ssgi_measured_texel)"),
+                        "RGBA32UI: view depth of each pixel of a 2x2; its last 6 bits are the thickness, in units of a "
+                        "63rd of the radius (orthographic: see ssgi_measured_texel)"),
     SSGI_GL__ROW_OUTPUT("change_mask", NULL, "vec4",
-                        SSGI_GL__HDR ": of 8x8 pixels the share where an occluder came or went; the least and the "
-                        "greatest view depth of these, or where there are none of all; the least of all"),
+                        SSGI_GL__HDR ": the share of 8x8 pixels in which an occluder came or went; the least and the "
+                        "greatest view depth of these pixels, or of all if there are none; the least of all"),
     SSGI_GL__ROW_OUTPUT("change_share", NULL, "float",
                         "R32F or R16F: of all surfaces within the radius of 8x8 pixels, the share that came or went"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
@@ -6120,67 +6151,67 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
 /* clang-format on */
 
-/* ==== >>passes: all that is said of each pass ===================================================================== */
+/* ==== >>passes: the properties of each pass ======================================================================= */
 
-/* The columns of a pass's row, which are 0 where nothing else is said. */
+/* The values of the columns of a pass's row. */
 enum {
     SSGI_GL__CHAIN_NONE = 0, /* ssgi_gl_chain.desc must not be of this pass */
     SSGI_GL__CHAIN_ALONE,    /* a chain may be of this pass, and holds nothing else */
-    SSGI_GL__CHAIN_FILTERED, /* a chain may be of it, and filters its o_ssgi_ao */
-    SSGI_GL__CHAIN_OWN       /* a chain may be of it; ssgi_gl__build_chain adds the other steps */
+    SSGI_GL__CHAIN_FILTERED, /* a chain may be of this pass, and filters its o_ssgi_ao */
+    SSGI_GL__CHAIN_OWN       /* a chain may be of this pass; ssgi_gl__build_chain adds the other steps */
 };
 
 enum {
     SSGI_GL__SEARCH_NONE = 0, /* it gathers nothing */
-    SSGI_GL__SEARCH_POINTS,   /* it has points, whatever desc.gather.search says */
+    SSGI_GL__SEARCH_POINTS,   /* it samples points, whatever desc.gather.search says */
     SSGI_GL__SEARCH_CHOSEN    /* desc.gather.search chooses */
 };
 
 enum {
-    SSGI_GL__THICKNESS_NONE = 0, /* it does not look at desc.gather.thickness */
+    SSGI_GL__THICKNESS_NONE = 0, /* the pass does not look at desc.gather.thickness */
     SSGI_GL__THICKNESS_READ,     /* its occluders are as thick as desc.gather.thickness says */
     SSGI_GL__THICKNESS_MEASURED  /* it measures the thickness that the others read */
 };
 
 enum {
-    SSGI_GL__PRESET_NONE = 0, /* nothing in it trades cost for accuracy */
-    SSGI_GL__PRESET_SSAO,     /* this and those below number the rows of ssgi_gl__presets */
+    SSGI_GL__PRESET_NONE = 0, /* none of its settings trades cost for accuracy */
+    SSGI_GL__PRESET_SSAO,     /* this and the values below are row numbers of ssgi_gl__presets */
     SSGI_GL__PRESET_LIGHTS,
     SSGI_GL__PRESET_SPLAT,
-    SSGI_GL__PRESET_SEARCH, /* that of desc.gather.search, so that a desc also serves the passes around its own */
-    SSGI_GL__PRESET_LIT     /* likewise, but light has slices of its own */
+    SSGI_GL__PRESET_SEARCH, /* the row of desc.gather.search, so that one desc serves all passes of a chain */
+    SSGI_GL__PRESET_LIT     /* likewise, but slices have a row of their own for light */
 };
 
 enum {
-    SSGI_GL__SIZE_FULL = SSGI_GL_SIZE_FULL,
-    SSGI_GL__SIZE_HALF = SSGI_GL_SIZE_HALF,
-    SSGI_GL__SIZE_LEVELS = SSGI_GL_SIZE_LEVELS,
-    SSGI_GL__SIZE_TILES = SSGI_GL_SIZE_TILES,
-    SSGI_GL__SIZE_QUARTER = SSGI_GL_SIZE_QUARTER,
-    SSGI_GL__SIZE_CHOSEN /* as desc.gather.resolution says */
+    SSGI_GL__SCALE_FULL = SSGI_GL_SCALE_FULL,
+    SSGI_GL__SCALE_HALF = SSGI_GL_SCALE_HALF,
+    SSGI_GL__SCALE_LEVELS = SSGI_GL_SCALE_LEVELS,
+    SSGI_GL__SCALE_TILES = SSGI_GL_SCALE_TILES,
+    SSGI_GL__SCALE_QUARTER = SSGI_GL_SCALE_QUARTER,
+    SSGI_GL__SCALE_CHOSEN /* as desc.gather.resolution says */
 };
 
 enum {
     SSGI_GL__DRAW_IMAGE = 0, /* one triangle covers the image */
     SSGI_GL__DRAW_FIELDS,    /* a rectangle of two triangles for each occluder */
     SSGI_GL__DRAW_SPLATS,    /* such a rectangle for each surfel and level, or patches */
-    SSGI_GL__DRAW_SURFELS,   /* points or patches, which are captured */
+    SSGI_GL__DRAW_SURFELS,   /* points or patches, whose outputs are captured */
     SSGI_GL__DRAWS
 };
 
 enum {
-    SSGI_GL__BLEND_ONTO = 0, /* as desc.filter.onto says; off where the pass does not look at it */
+    SSGI_GL__BLEND_ONTO = 0, /* as desc.filter.onto says; off if the pass does not look at it */
     SSGI_GL__BLEND_MULTIPLY,
     SSGI_GL__BLEND_ADD
 };
 
 enum {
-    SSGI_GL__TEXTURE_NEW = 0, /* each of its outputs has a texture of its own */
-    SSGI_GL__TEXTURE_KEPT,    /* each has two, which change places from frame to frame */
-    SSGI_GL__TEXTURE_SLICE    /* its output is a slice of one texture, which all passes of its name share */
+    SSGI_GL__TEXTURE_NEW = 0, /* each output has a texture of its own */
+    SSGI_GL__TEXTURE_KEPT,    /* each output has two, which change places from frame to frame */
+    SSGI_GL__TEXTURE_LAYER    /* its output is a layer of one texture, which all passes of its name share */
 };
 
-/* The main function of a pass's fragment stage where `when`, a condition as in #if lines, holds (NULL: always). */
+/* The main function of a pass's fragment stage if `when` holds, a condition as in #if lines (NULL: always). */
 typedef struct ssgi_gl__variant {
     const char *when, *main;
 } ssgi_gl__variant;
@@ -6188,17 +6219,17 @@ typedef struct ssgi_gl__variant {
 typedef struct ssgi_gl__pass {
     int pass;
     const char *name;
-    signed char chain, search, thickness, preset, size, draw, blend, texture; /* columns */
-    ssgi_gl__variant variant[3];                                              /* the last are empty */
+    signed char chain, search, thickness, preset, scale, draw, blend, texture; /* the columns */
+    ssgi_gl__variant variant[3];                                               /* unused ones are empty */
 } ssgi_gl__pass;
 
 /* clang-format off */
-#define SSGI_GL__PASS(pass, name, chain, search, thickness, preset, size, draw, blend, texture) \
+#define SSGI_GL__PASS(pass, name, chain, search, thickness, preset, scale, draw, blend, texture) \
     SSGI_GL_PASS_##pass, name, SSGI_GL__CHAIN_##chain, SSGI_GL__SEARCH_##search, SSGI_GL__THICKNESS_##thickness, \
-    SSGI_GL__PRESET_##preset, SSGI_GL__SIZE_##size, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
+    SSGI_GL__PRESET_##preset, SSGI_GL__SCALE_##scale, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
     SSGI_GL__TEXTURE_##texture
 
-/* The main functions of the other stages, by the column draw; second, with desc.surfel.tessellate. */
+/* The main functions of the other stages, by the column draw: without desc.surfel.tessellate, and with it. */
 static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
     { { "main_triangle", NULL, NULL, NULL, NULL }, { "main_triangle", NULL, NULL, NULL, NULL } },
     { { "main_occluder", NULL, NULL, NULL, NULL }, { "main_occluder", NULL, NULL, NULL, NULL } },
@@ -6206,9 +6237,9 @@ static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
     { { "main_buffer", NULL, NULL, NULL, NULL }, { "main_patch", NULL, "main_levels", "main_points", NULL } }
 };
 
-/* The outputs of a pass are those that its main functions name, as inputs are: their rows are in >>rows. */
+/* The inputs and outputs of a pass are those that its main functions name; >>rows has their rows. */
 static const ssgi_gl__pass ssgi_gl__passes[] = {
-    /*                              chain     search  thickness preset  size    draw     blend    texture */
+    /*                              chain     search  thickness preset  scale   draw     blend    texture */
     { SSGI_GL__PASS(SSAO, "ssao",   FILTERED, POINTS, READ,     SSAO,   CHOSEN, IMAGE,   ONTO,     NEW),
       { { NULL, "main_occlusion" } } },
     { SSGI_GL__PASS(HSAO, "hsao",   FILTERED, CHOSEN, READ,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
@@ -6220,7 +6251,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
         { "shaded", "main_s3ho_shaded" } } },
     { SSGI_GL__PASS(LIGHTS, "lights",   NONE, POINTS, READ,     LIGHTS, FULL,   IMAGE,   ONTO,     NEW),
       { { NULL, "main_lights" } } },
-    { SSGI_GL__PASS(EMITTERS, "emitters", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     SLICE),
+    { SSGI_GL__PASS(EMITTERS, "emitters", NONE, NONE,   NONE,     SEARCH, FULL,   IMAGE,   ONTO,     LAYER),
       { { NULL, "main_emitters" } } },
     { SSGI_GL__PASS(SHADE, "shade", NONE,     NONE,   NONE,     SEARCH, CHOSEN, IMAGE,   ONTO,     NEW),
       { { "shading != BENT", "main_shade" },
@@ -6272,7 +6303,7 @@ enum {
 typedef char ssgi_gl__enums_are_ints[sizeof(ssgi_gl_pass) == sizeof(int) ? 1 : -1];
 typedef char ssgi_gl__every_pass_has_a_row[sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes == SSGI_GL_PASSES ? 1 : -1];
 
-/* The row of a pass; NULL where there is no such pass. */
+/* The row of a pass; NULL if there is no such pass. */
 static const ssgi_gl__pass *ssgi_gl__pass_of(int pass)
 {
     for (int i = 0; i < SSGI_GL_PASSES; ++i)
@@ -6302,13 +6333,13 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
         if (r_ != SSGI_OK) return r_; \
     } while (0)
 
-/* One row a field, in the struct's order; names and words are those of #if lines, too. COUNT: 0 .. most. SWITCH: 0 or
-   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. kind: who sets it. looks: the condition under
-   which a pass looks at it (NULL: any may); elsewhere it is resolved to 0. */
+/* One row for each field, in the struct's order. #if lines use the same names and words. COUNT: 0 .. most. SWITCH: 0 or
+   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. kind: who sets the field. looks: the condition
+   under which a pass looks at the field (NULL: every one may); otherwise the field is resolved to 0. */
 typedef struct ssgi_gl__field {
     ssgi_gl_choice choice;
     const char *looks;
-    const char *nearest; /* the sentence on a name that is nearest to this one */
+    const char *nearest; /* the sentence on an unknown name that is nearest to this field's */
 } ssgi_gl__field;
 
 #define SSGI_GL__NEAREST(name) "name: there is no such field; the nearest is " name
@@ -6430,8 +6461,8 @@ enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields)
 
 typedef struct ssgi_gl__dialect {
     const char *name, *version;
-    const char *head; /* behind the version, be it ours or yours */
-    const char *set;  /* in layout(), before a binding; NULL: no layout(binding) */
+    const char *head; /* stands behind the version, be it ours or yours */
+    const char *set;  /* stands in layout() before a binding; NULL: no layout(binding) */
     int textures;     /* binding of texture unit 0, unless desc.shader.dense */
 } ssgi_gl__dialect;
 
@@ -6448,7 +6479,7 @@ static const ssgi_gl__dialect ssgi_gl__dialects[] = {
     { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = %d, ", 2 }
 };
 
-/* A field of a desc or of a chain. */
+/* Returns the value of a field of a desc or of a chain. */
 static int ssgi_gl__get(const void *from, size_t offset)
 {
     int value;
@@ -6458,8 +6489,8 @@ static int ssgi_gl__get(const void *from, size_t offset)
 
 struct ssgi_gl__rule;
 
-/* What a condition is asked about: fields of a desc; those that `after` names, blanks between, as the rules resolve
-   them. */
+/* The desc with whose fields a condition is evaluated. Fields that `after` names, separated by blanks, count as the
+   rules resolve them, all others as given. */
 typedef struct ssgi_gl__asked {
     const ssgi_gl_desc *d;
     const char *after;
@@ -6480,66 +6511,67 @@ static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d)
 /* Choices that do not go together: a condition as in #if lines, and the sentence of the error. */
 static const char *const ssgi_gl__refusals[][2] = {
     { "pass == HSAO && search == POINTS",
-      "desc.gather.search: hsao is SSGI_GL_SEARCH_SLICES or _MARCH; points are ssao's" },
+      "desc.gather.search: hsao is by SSGI_GL_SEARCH_SLICES or _MARCH; it is ssao that samples points" },
     { "falloff == NONE && (pass == SSAO || ((pass == SSDO || pass == S3HO) && search == POINTS))",
-      "desc.gather.falloff: points are distributed by it: SSGI_GL_FALLOFF_LINEAR or _SQUARE" },
+      "desc.gather.falloff: must be SSGI_GL_FALLOFF_LINEAR or _SQUARE for points, which it distributes" },
     { "(pass == SSDO || pass == S3HO) && search == MARCH",
-      "desc.gather.search: only hsao marches; ssdo and s3ho are SSGI_GL_SEARCH_SLICES or _POINTS" },
+      "desc.gather.search: must be SSGI_GL_SEARCH_SLICES or _POINTS for ssdo and s3ho; only hsao marches" },
     { "pass == HSAO && search == SLICES && normal_rays",
-      "desc.gather.normal_rays: only SSGI_GL_SEARCH_MARCH has them; slices see above the horizon" },
+      "desc.gather.normal_rays: need SSGI_GL_SEARCH_MARCH; slices also look above the horizon" },
     { "by_slices && layers > 1",
       "desc.gather.layers: slices read visible surfaces and their slabs (desc.gather.thickness); hidden layers "
       "need SSGI_GL_SEARCH_POINTS or _MARCH" },
     { "by_slices && views",
       "desc.gather.views: slices read visible surfaces and their slabs (desc.gather.thickness); extra cameras need "
       "SSGI_GL_SEARCH_POINTS or _MARCH" },
-    { "two_sided && one_sided", "desc.light.one_sided: emitters have one side or two: desc.light.two_sided is 1" },
+    { "two_sided && one_sided", "desc.light.one_sided: must be 0 if desc.light.two_sided is 1" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
-      "desc.light.bounce: patches are those of SSGI_GL_SEARCH_POINTS; slices have SOLID_ANGLE" },
+      "desc.light.bounce: SSGI_GL_BOUNCE_PATCH needs SSGI_GL_SEARCH_POINTS; slices need _SOLID_ANGLE" },
     { "thickness > SOLID && occludes && (layers > 1 || views)",
-      "desc.gather.thickness: widths and back faces are those of one layer and camera; layers and views want "
+      "desc.gather.thickness: widths and back faces are known of one layer of one camera; layers and views need "
       "SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.input.world_normals: normals from depth are in view space" },
     { "resolution && (pass == BLUR || pass == HISTORY) && filter == GAUSSIAN",
-      "desc.filter.kind: only SSGI_GL_FILTER_BILATERAL brings half size to full" },
+      "desc.filter.kind: must be SSGI_GL_FILTER_BILATERAL unless the gather is at full resolution" },
     { "(pass == HISTORY || pass == CHANGE_MASK) && quantity == COEFFICIENTS",
-      "desc.filter.quantity: history has SSGI_GL_QUANTITY_VISIBILITY and _LIGHT; coefficients are shaded first" },
+      "desc.filter.quantity: history averages SSGI_GL_QUANTITY_VISIBILITY or _LIGHT; shade coefficients first" },
     { "pass == SSDO && !environment && !bounce",
       "desc.light.environment: ssdo needs an environment, a bounce or both" },
     { "transfer && !packed_coefficients && ((pass == S3HO && !shaded) || pass == SHADE || "
       "(pass == BLUR && quantity == COEFFICIENTS))",
-      "desc.light.packed_coefficients: three sets of coefficients need it: there are fewer targets than floats" },
+      "desc.light.packed_coefficients: must be 1 for the three sets of coefficients that desc.light.transfer needs: "
+      "as floats they have too many targets" },
     { "pass == SHADE && shading && (bands == 1 || transfer)",
       "desc.light.shading: a mean direction needs one set of coefficients (desc.light.transfer), of 2 bands or more" },
     { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
-      "desc.light.restore: reflected light may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
+      "desc.light.restore: must be SSGI_GL_RESTORE_DIFFERENCE, as reflected light may exceed unoccluded light" },
     { "pass == S3HO && transfer && occluded_emitters && (layers > 1 || views)",
-      "desc.light.occluded_emitters: the last frame's coefficients are of visible surfaces: not with "
-      "desc.gather.layers or "
-      ".views" },
+      "desc.light.occluded_emitters: must be 0 with desc.gather.layers or .views, as the last frame has coefficients "
+      "of visible surfaces only" },
     { "harmonics == CUSTOM && residual",
-      "desc.light.residual: is of frame.harmonics' light: SSGI_GL_HARMONICS_CUSTOM has none" },
+      "desc.light.residual: must be 0 with SSGI_GL_HARMONICS_CUSTOM, as only frame.harmonics have a residual" },
     { "multisampled && (dialect == 300ES || array || receiver)",
-      "desc.input.multisampled: not in SSGI_GL_DIALECT_300ES, nor with desc.input.array or desc.light.receiver: "
+      "desc.input.multisampled: must be 0 in SSGI_GL_DIALECT_300ES, and with desc.input.array or desc.light.receiver: "
       "resolve to plain textures" },
     { "array && (layers > 1 || receiver)",
-      "desc.input.array: hidden layers (desc.gather.layers, .receiver) are slices themselves" },
-    { "receiver && normal == FROM_DEPTH", "desc.light.receiver: hidden layers need their normals" },
+      "desc.input.array: must be 0 with desc.gather.layers or desc.light.receiver, whose textures are arrays already" },
+    { "receiver && normal == FROM_DEPTH", "desc.light.receiver: hidden layers need normals of their own" },
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_DIALECT_VULKAN ssgi_surfels makes them on the CPU" },
     { "compute && (dialect == 330 || dialect == 410 || dialect == 300ES)",
       "desc.shader.compute: needs SSGI_GL_DIALECT_450, _310ES, _320ES or _VULKAN" },
     { "compute && (pass == AOF || surfel_pass || pass == DEINTERLEAVE || pass == SMOOTH)",
-      "desc.shader.compute: aof, surfels and dss draw geometry, deinterleave and smooth leave texels out: "
+      "desc.shader.compute: aof, surfels and dss draw geometry, deinterleave and smooth leave texels out: must be "
       "SSGI_GL_COMPUTE_NONE" },
     { "compute && (dialect == 310ES || dialect == 320ES) && packed_coefficients && transfer && bands != 1 && "
       "bands != 2 && ((pass == S3HO && !shaded) || (pass == BLUR && quantity == COEFFICIENTS))",
       "desc.shader.compute: GLES has 4 images in a compute stage, and these coefficients are 6: "
       "desc.light.packed_coefficients 0, desc.light.bands 1 or 2, or SSGI_GL_COMPUTE_NONE" },
     { "compute && (pass == COMPOSE || (onto && pass == BLUR && quantity == VISIBILITY))",
-      "desc.shader.compute: blends nothing onto your picture (compose, desc.filter.onto): SSGI_GL_COMPUTE_NONE" },
+      "desc.shader.compute: blends nothing onto your picture (compose, desc.filter.onto): must be "
+      "SSGI_GL_COMPUTE_NONE" },
     { "uniforms && dialect == VULKAN",
-      "desc.shader.uniforms: SSGI_GL_DIALECT_VULKAN has uniforms in blocks alone: SSGI_GL_UNIFORMS_BLOCK" },
+      "desc.shader.uniforms: must be SSGI_GL_UNIFORMS_BLOCK, as SSGI_GL_DIALECT_VULKAN has uniforms in blocks alone" },
     { "tessellate && (pass == SURFELS || pass == DSS) && dialect != 410 && dialect != 450 && dialect < 320ES",
       "desc.surfel.tessellate: needs tessellation shaders: SSGI_GL_DIALECT_410, _450, _320ES or _VULKAN" }
 };
@@ -6561,8 +6593,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
             || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
                                "sends == CUSTOM || effect == CUSTOM || harmonics == CUSTOM",
                                desc),
-        "desc.shader.fetch: must hold those that are CUSTOM of ssgi_custom_depth, _normal, _object, _surfel, "
-        "_effect and _reach, _harmonic");
+        "desc.shader.fetch: must define the functions of fields that are CUSTOM: ssgi_custom_depth, _normal, _object, "
+        "_surfel, _effect and _reach, _harmonic");
     return SSGI_OK;
 }
 
@@ -6571,24 +6603,25 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
     return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i].choice : NULL;
 }
 
-/* The fields that a preset sets. Points keep slices and normal_rays as they are, slices directions, range_check and
-   fade. */
+/* The fields that a preset sets. For points it leaves slices and normal_rays as they are; for slices it leaves
+   directions, range_check and fade. */
 typedef struct ssgi_gl__preset {
     int resolution, slices, directions, samples, normal_rays;
     int fades;    /* 1: range_check, and fade SMOOTH */
-    int constant; /* slices   1: thickness CONSTANT, 0: DEFAULT */
+    int constant; /* for slices   1: thickness CONSTANT, 0: DEFAULT */
 
-    struct { /* a stage of the filter */
+    struct {
         int kind, radius;
     } filter;
 } ssgi_gl__preset;
 
-/* By the passes' column preset, from SSGI_GL__PRESET_SSAO on; those of SSGI_GL__PRESET_SEARCH by desc.gather.search,
-   then the slices of SSGI_GL__PRESET_LIT. Errors are means of 14 scenes by seed at 1280x720, over that of no AO; times
-   are those of make cost's model of a Radeon RX 6800 at 1920x1080. A filter of radius 2 takes the noise of hsao to a
-   half at the same error, and two more samples take the error from .417 to .402, on each scene. With radius 1 these
-   have .403 for .03 ms less, and two thirds more noise in the two finest bands. At full size radius 2 gains .0007; of
-   ssdo it gains .006 for a quarter more time. */
+/* Rows stand in the order of the passes' column preset, from SSGI_GL__PRESET_SSAO on. SSGI_GL__PRESET_SEARCH has a row
+   for each value of desc.gather.search, and SSGI_GL__PRESET_LIT the last row, for its slices. In the following, errors
+   are means of 14 scenes by seed at 1280x720, relative to no ambient occlusion; times are those of a Radeon RX 6800 at
+   1920x1080, as make cost models it. A filter of radius 2 halves the noise of hsao at the same error, and two more
+   samples take the error from .417 to .402, in each scene. With radius 1 the same samples have .403 and take .03 ms
+   less, but have two thirds more noise in the two finest bands. At full resolution radius 2 lowers the error of hsao by
+   .0007. It lowers the error of ssdo by .006, and takes a quarter more time. */
 /* clang-format off */
 static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
     /* resolution, slices, directions, samples, normal_rays, fades, constant, filter: BILATERAL is 0 */
@@ -6604,7 +6637,7 @@ static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_PRESET_BEST + 1] = {
     { { 1, 1,  0, 10, 0, 0, 1, { 0, 2 } },       /* slices of hsao: FAST */
       { 1, 2,  0,  8, 0, 0, 0, { 0, 2 } },       /*                 BALANCED */
       { 0, 2,  0,  7, 0, 0, 0, { 0, 1 } } },     /*                 BEST */
-    /* Several points lie along a direction, as single ones miss more. */
+    /* Several points lie along each direction, as a single one would miss more occluders. */
     { { 1, 0,  4,  4, 0, 1, 0, { 0, 1 } },       /* points of ssdo, s3ho: FAST */
       { 0, 0,  4,  4, 0, 1, 0, { 0, 1 } },       /*                       BALANCED */
       { 0, 0,  8,  6, 0, 1, 0, { 0, 1 } } },     /*                       BEST */
@@ -6663,7 +6696,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
                                                    SSGI_GL_THICKNESS_BACK, SSGI_GL_THICKNESS_SLABS };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_METHOD_NOTHING && plan->method <= SSGI_PLAN_METHOD_AOF,
-                   "plan: must not be NULL, and of something");
+                   "plan: must not be NULL, and plan.method must not be SSGI_PLAN_METHOD_NOTHING");
     SSGI_GL__CHECK(plan->thickness >= SSGI_PLAN_THICKNESS_WIDTH && plan->thickness <= SSGI_PLAN_THICKNESS_SLABS,
                    "plan.thickness: must be SSGI_PLAN_THICKNESS_WIDTH, _CONSTANT, _BACK or _SLABS");
     ssgi_gl_desc d = *desc;
@@ -6688,10 +6721,11 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     return SSGI_OK;
 }
 
-/* The value of a field where a pass looks at it (`looks`), or has it although it does not: the row whose condition
-   holds, of which there is one at most; else it stays as given. Conditions read the desc as given, but for the fields
-   that `after` names, which they read resolved. So s3ho has a bounce where it has a transfer, and an environment SH
-   where its coefficients hold unoccluded directions: #if lines need not ask for the pass. */
+/* If the condition of a row holds, the field has the value of that row; of one field at most one row holds. If none
+   holds, the field stays as given, or is 0 if the pass does not look at it. Conditions compare fields as given, except
+   those that `after` names, which they compare as resolved. A row may give a value to a field at which the pass does
+   not look, so that #if lines need not ask for the pass: s3ho has a bounce if it has a transfer, and an environment SH
+   if its coefficients hold unoccluded directions. */
 typedef struct ssgi_gl__rule {
     size_t field; /* its offset */
     const char *when;
@@ -6715,7 +6749,7 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
     { SSGI_GL__AT(gather.resolution), "!any_size && !averages && at_half", SSGI_GL_RESOLUTION_HALF, NULL },
     { SSGI_GL__AT(gather.thickness), "measures && !thickness", SSGI_GL_THICKNESS_WIDTH, NULL },
     { SSGI_GL__AT(gather.thickness), "occludes && !thickness", SSGI_GL_THICKNESS_CONSTANT, NULL },
-    /* Pass thickness reads the back faces. */
+    /* Only pass thickness reads the back faces; slices read its result, as with WIDTH. */
     { SSGI_GL__AT(gather.thickness), "by_slices && thickness == BACK", SSGI_GL_THICKNESS_WIDTH, NULL },
     { SSGI_GL__AT(gather.layers), "(by_points || by_march || pass == EMITTERS) && !layers", 1, NULL },
     { SSGI_GL__AT(gather.view_layers), "(by_points || by_march) && !view_layers", 1, NULL },
@@ -6738,7 +6772,7 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
       "reflected || (shading && !harmonic_lights) || environment == MAP || !(pass == SHADE || restores || "
       "(pass == S3HO && shaded) || (pass == SSDO && environment))",
       0, "shading harmonic_lights environment" },
-    /* A mean direction needs two bands. */
+    /* Shading by a mean direction needs two bands. */
     { SSGI_GL__AT(light.bands), "(loads || restores) && shading && !harmonic_lights && (!bands || bands > 2)", 2,
       "shading harmonic_lights" },
     { SSGI_GL__AT(light.bands), "pass == SSDO && !bands", 3, NULL },
@@ -6757,7 +6791,7 @@ static const ssgi_gl__rule ssgi_gl__rules[] = {
 
 enum { SSGI_GL__RULES = (int)(sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules) };
 
-/* Returns a field of a desc as it is resolved by so many rules, in any order. */
+/* Returns the value of a field as `count` rules resolve it, whose order does not matter. */
 static int ssgi_gl__resolved(const ssgi_gl__field *field, const ssgi_gl_desc *d, const ssgi_gl__rule *rules, int count)
 {
     ssgi_gl__asked asked = { d, NULL, rules, count };
@@ -6803,7 +6837,7 @@ static size_t ssgi_gl__word(const char **s)
     return n;
 }
 
-/* Whether a word is `name`, or its macro, SSGI_NAME. Most words differ by their first letter. */
+/* Whether a word is `name`, or its macro, SSGI_NAME. First letters are compared first, as most of them differ. */
 static int ssgi_gl__is(const char *name, const char *word, size_t length)
 {
     size_t i = 0;
@@ -6822,31 +6856,31 @@ static const ssgi_gl__field *ssgi_gl__field_named(const char *word, size_t lengt
     return NULL;
 }
 
-/* Facts that conditions name, too. Those of the pass's row: its column, less SSGI_GL__, and the value there. Others are
-   conditions themselves, of the desc as given. */
+/* Conditions may name these facts as they name fields. A fact holds if the pass's row has these values in its columns,
+   and if `when` holds, a condition on the desc as given. */
 static const struct {
     const char *name, *when;
-    signed char search, thickness, size; /* -1: any */
+    signed char search, thickness, scale; /* -1: any */
 } ssgi_gl__facts[] = {
     { "searches", NULL, SSGI_GL__SEARCH_CHOSEN, -1, -1 },
     { "has_points", NULL, SSGI_GL__SEARCH_POINTS, -1, -1 },
     { "occludes", NULL, -1, SSGI_GL__THICKNESS_READ, -1 },
     { "measures", NULL, -1, SSGI_GL__THICKNESS_MEASURED, -1 },
-    { "at_half", NULL, -1, -1, SSGI_GL__SIZE_HALF },
-    { "at_any", NULL, -1, -1, SSGI_GL__SIZE_CHOSEN },
-    { "at_levels", NULL, -1, -1, SSGI_GL__SIZE_LEVELS },
+    { "at_half", NULL, -1, -1, SSGI_GL__SCALE_HALF },
+    { "at_any", NULL, -1, -1, SSGI_GL__SCALE_CHOSEN },
+    { "at_levels", NULL, -1, -1, SSGI_GL__SCALE_LEVELS },
     { "any_size", "at_any || at_levels", -1, -1, -1 },
-    /* Its depths are those of t_ssgi_thickness. */
+    /* The pass reads depth from t_ssgi_thickness. */
     { "measured", "occludes && thickness > SOLID && (thickness == WIDTH || search == SLICES)", -1, -1, -1 },
     { "by_slices", "searches && search == SLICES", -1, -1, -1 },
     { "by_march", "searches && search == MARCH", -1, -1, -1 },
     { "by_points", "has_points || (searches && search == POINTS)", -1, -1, -1 },
     { "gathers", "pass == SSAO || searches", -1, -1, -1 },
     { "averages", "pass == BLUR || pass == HISTORY", -1, -1, -1 },
-    { "filters", "averages || pass == COMPOSE", -1, -1, -1 }, /* ssgi_gl_read reads as compose what is filtered */
+    { "filters", "averages || pass == COMPOSE", -1, -1, -1 }, /* COMPOSE: ssgi_gl_read of filtered results */
     { "surfel_pass", "pass == SURFELS || pass == DSS", -1, -1, -1 },
     { "splats", "pass == DSS || pass == DEINTERLEAVE || pass == SMOOTH || pass == SUM", -1, -1, -1 },
-    { "loads", "pass == SHADE || (pass == BLUR && quantity == COEFFICIENTS)", -1, -1, -1 }, /* coefficients */
+    { "loads", "pass == SHADE || (pass == BLUR && quantity == COEFFICIENTS)", -1, -1, -1 }, /* loads coefficients */
     { "coefficients", "pass == S3HO || loads || (pass == COMPOSE && quantity == COEFFICIENTS)", -1, -1, -1 },
     { "reflected", "(pass == S3HO || loads) && transfer == REFLECTED", -1, -1, -1 },
     { "restores", "averages && quantity == LIGHT && restore && (environment || !bounce) && transfer != REFLECTED", -1,
@@ -6862,15 +6896,15 @@ static int ssgi_gl__fact(const char *word, size_t length, const ssgi_gl_desc *d)
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(d->pass);
     for (int i = 0; i < SSGI_GL__FACTS; ++i) {
         const int search = ssgi_gl__facts[i].search, thickness = ssgi_gl__facts[i].thickness,
-                  size = ssgi_gl__facts[i].size;
+                  scale = ssgi_gl__facts[i].scale;
         if (!ssgi_gl__is(ssgi_gl__facts[i].name, word, length)) continue;
         return (search < 0 || search == row->search) && (thickness < 0 || thickness == row->thickness)
-            && (size < 0 || size == row->size) && ssgi_gl__holds(ssgi_gl__facts[i].when, d);
+            && (scale < 0 || scale == row->scale) && ssgi_gl__holds(ssgi_gl__facts[i].when, d);
     }
     return -1;
 }
 
-/* Whether a list of names with blanks between has a name. */
+/* Whether a list of names, separated by blanks, has this name. */
 static int ssgi_gl__lists(const char *names, const char *name)
 {
     size_t n;
@@ -6886,7 +6920,7 @@ static int ssgi_gl__resolved(const ssgi_gl__field *field, const ssgi_gl_desc *d,
 static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)
 {
     const char *s = field->values;
-    const size_t group = 6 + strlen(field->name); /* of SSGI_FIELD_ */
+    const size_t group = 6 + strlen(field->name); /* length of SSGI_FIELD_ */
     size_t n;
     int value = 0;
     if (length > group && !memcmp(name, "SSGI_", 5)) {
@@ -6899,7 +6933,7 @@ static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t 
     return length ? -1 : value;
 }
 
-/* asked NULL: only goes past it, as what is before it decides. */
+/* Returns whether an operand holds. asked NULL: only moves *s behind it, since the operands before it decide. */
 static int ssgi_gl__operand(const char **s, const ssgi_gl__asked *asked)
 {
     size_t n = ssgi_gl__word(s);
@@ -6950,9 +6984,9 @@ static int ssgi_gl__any(const char **s, const ssgi_gl__asked *asked)
 typedef struct ssgi_gl__reader {
     const char *at; /* the rest, which is not read yet */
     const ssgi_gl_desc *d;
-    int line;      /* of the header */
+    int line;      /* its number in this header */
     int depth;     /* how many #if are open */
-    char state[8]; /* of each of them: '+' kept, '-' not yet, '.' no more */
+    char state[8]; /* of each open #if: '+' its lines are kept, '-' no branch held yet, '.' a branch has ended */
 } ssgi_gl__reader;
 
 /* Returns the next line that is kept, without its newline; NULL after the last. */
@@ -6983,8 +7017,8 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 }
 
 /* ---- linking: a kept line keeps the entries that it names */
-/* A hash table, with open addresses. It is never full: a kept line names entries, rows and a few functions of
-   desc.shader.fetch, and all of these together leave slots empty, else the second line does not compile. */
+/* A hash table with open addressing. It is never full: it holds names of entries, of rows and of a few functions of
+   desc.shader.fetch, and the typedef below does not compile if entries and rows fill half of the slots. */
 enum { SSGI_GL__SLOTS = 1024 };
 
 typedef char ssgi_gl__slots_suffice[SSGI_GL__CODES + SSGI_GL__ROWS < SSGI_GL__SLOTS / 2 ? 1 : -1];
@@ -7012,7 +7046,7 @@ static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, i
     }
 }
 
-/* Adds our names in a line of GLSL: ssgi_*, SSGI_*, and u_ssgi_* and the like; not those in comments. */
+/* Adds the library's names in a line of GLSL, ssgi_*, SSGI_*, u_ssgi_* and the like, except those in its comment. */
 static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 {
     while (s < end && !(s[0] == '/' && s[1] == '/')) {
@@ -7031,29 +7065,29 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 
 typedef struct ssgi_gl__stage {
     unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS]; /* 1: kept */
-    unsigned char fetch;                                    /* 1: desc.shader.fetch is read; 2: and calls ssgi_decode */
+    unsigned char fetch;                                    /* 1: needs desc.shader.fetch; 2: and ssgi_decode */
 } ssgi_gl__stage;
 
-/* How many pixels of the image a texel of a pass's targets stands for, in a row: 1, 2, 4 or 8. d: resolved. */
+/* How many pixels a texel of a pass's targets covers, in x and in y: 1, 2, 4 or 8. d: a resolved desc. */
 static int ssgi_gl__part(const ssgi_gl_desc *d)
 {
-    const int size = ssgi_gl__pass_of(d->pass)->size;
-    if (size == SSGI_GL__SIZE_TILES) return 8;
-    if (size == SSGI_GL__SIZE_HALF) return 2;
-    if (size == SSGI_GL__SIZE_FULL || !d->gather.resolution) return 1;
+    const int scale = ssgi_gl__pass_of(d->pass)->scale;
+    if (scale == SSGI_GL__SCALE_TILES) return 8;
+    if (scale == SSGI_GL__SCALE_HALF) return 2;
+    if (scale == SSGI_GL__SCALE_FULL || !d->gather.resolution) return 1;
     return d->gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? 4 : 2;
 }
 
-/* The uniforms that the main function of a compute stage reads: ssgi_gl__print_compute. Stores beyond a picture of
-   levels, which has its textures for itself, are harmless. */
+/* The uniforms that the main function of a compute stage reads, which ssgi_gl__print_compute prints. A picture of
+   levels needs none: it has its textures for itself, so that stores beyond it are harmless. */
 static const char *ssgi_gl__reads_of_compute(const ssgi_gl_desc *d)
 {
-    const int levels = ssgi_gl__pass_of(d->pass)->size == SSGI_GL__SIZE_LEVELS;
+    const int levels = ssgi_gl__pass_of(d->pass)->scale == SSGI_GL__SCALE_LEVELS;
     return d->shader.compute && !levels ? "u_ssgi_size u_ssgi_target" : "";
 }
 
-/* Goes from the last function to the first, and keeps each that the roots or a kept function name; then the rows that
-   these name. */
+/* Goes from the last function to the first, and keeps each that the roots or a kept function name. Then keeps the rows
+   that the kept functions name. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
     const int decodes = d->shader.fetch && strstr(d->shader.fetch, "ssgi_decode");
@@ -7075,7 +7109,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     for (int i = SSGI_GL__ROWS - 1; i >= 0; --i) {
         const ssgi_gl__row *row = &ssgi_gl__rows[i];
         stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0) && ssgi_gl__holds(row->when, d);
-        if (d->input.array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
+        if (d->input.array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_layer", 12, 1);
     }
     stage->fetch = (unsigned char)(names.custom << decodes);
 }
@@ -7087,8 +7121,8 @@ typedef struct ssgi_gl__program {
     ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
-/* Links all stages of a resolved desc, since rows are shared between them. Returns 0 where the pass does not have
-   `stage`, before it links; SSGI_GL_STAGES asks for none. */
+/* Links all stages of a resolved desc, since they share rows. If the pass does not have the stage `stage`, returns 0
+   and links nothing. SSGI_GL_STAGES: no stage is asked for. */
 static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *resolved, int stage)
 {
     memset(p, 0, sizeof *p);
@@ -7121,8 +7155,8 @@ static const char *ssgi_gl__word_of(const ssgi_gl_shader_desc *text, const char 
     return text->compute && length + 1 == sizeof place && !memcmp(word, place, length) ? "ssgi_at" : word;
 }
 
-/* Returns the id by which a count may be specialised; 0: the shader depends on it otherwise, as on the samples of a
-   table. */
+/* Returns the id by which a count may be specialised. 0: it may not, as the source depends on it, such as the length of
+   a table of directions. */
 static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
 {
     static const char *const counts[] = { "SSGI_SLICES", "SSGI_SAMPLES", "SSGI_DIRECTIONS" };
@@ -7132,9 +7166,9 @@ static size_t ssgi_gl__constant_id(const ssgi_gl_desc *d, const char *name)
     return 0;
 }
 
-/* Gives a texture, a storage image or a member of a block the place that the shader has in VULKAN. block: the bindings
-   of the blocks that rows before it are of, -1: none yet; count: how many blocks and textures there are before it, and
-   how many textures in all. */
+/* Gives a texture, a storage image or a member of a block the set and the binding that the shader has in VULKAN. block:
+   the bindings of both blocks, -1 until a row of the block has come. count: how many blocks and how many textures have
+   come, and how many textures there are in all. */
 static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int block[2], int count[3])
 {
     if (text->dialect != SSGI_GL_DIALECT_VULKAN) return;
@@ -7154,14 +7188,15 @@ static void ssgi_gl__place(ssgi_gl_io *io, const ssgi_gl_shader_desc *text, int 
     }
 }
 
-/* Collects the rows of a stage, or with SSGI_GL_STAGES of all, each once; a uniform block has the same members in each
-   stage that reads any, loose uniforms are those that the stage reads. Returns how many there are. */
+/* Collects the rows of a stage, or with SSGI_GL_STAGES of all stages, each once. A uniform block has the same members
+   in each stage that reads any of them; a loose uniform is in the stages that read it. Returns how many rows there
+   are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
     int n = 0, next[SSGI_GL_IO_CAPTURE + 1] = { 0 }, block[2] = { 0 }, bound[2] = { -1, -1 }, count[3] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_IO_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
-    for (int i = 0; i < SSGI_GL__ROWS; ++i) /* A compute stage is the only one. */
+    for (int i = 0; i < SSGI_GL__ROWS; ++i) /* A compute stage has no others beside it. */
         count[2] += p->stage[SSGI_GL_STAGE_COMPUTE].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_IO_TEXTURE;
     for (int i = 0; i < SSGI_GL__ROWS; ++i) {
         ssgi_gl_io io = ssgi_gl__rows[i].io;
@@ -7177,7 +7212,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         else if (io.kind == SSGI_GL_IO_TEXTURE && ssgi_gl__rows[i].bytes && p->d.input.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_IO_CAPTURE && p->mains[SSGI_GL_STAGE_GEOMETRY] && stage >= SSGI_GL_STAGE_GEOMETRY)
-            continue; /* It goes from stage to stage; the outputs of the last one are captured. */
+            continue; /* It goes on to the geometry stage, which declares it, and is not captured. */
         const int in_block = io.kind == SSGI_GL_IO_PARAM && !p->d.shader.uniforms;
         if (stage < SSGI_GL_STAGES && !(in_block ? block[io.slot] : p->stage[stage].row[i])) continue;
         io.type = ssgi_gl__word_of(&p->d.shader, io.type, strlen(io.type));
@@ -7201,7 +7236,8 @@ static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)
     }
 }
 
-/* printf with %s, %d, and %f of 7 decimals [limit: below 100]. By integers, as the C library's follow the locale. */
+/* printf with %s, %d, and %f of 7 decimals [limit: below 100]. It computes digits by integers, as the C library's
+   printf follows the locale. */
 static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
 {
     va_list args;
@@ -7238,8 +7274,8 @@ static void ssgi_gl__print_place(ssgi_gl__text *t, const char *before, const cha
     ssgi_gl__print(t, "binding = %d", io->binding);
 }
 
-/* Prints a uniform block: members in the order of its struct, which is that of the rows; gaps where this pass reads
-   nothing. Loose uniforms have neither block nor gaps. */
+/* Prints a uniform block. Its members have the order of the struct and of the rows; gaps stand for members that this
+   pass does not read. Loose uniforms have neither block nor gaps. */
 static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set, int loose)
 {
     size_t at = 0;
@@ -7277,8 +7313,9 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples, int uniform)
     ssgi_gl__print(t, ");\n");
 }
 
-/* Prints a line in the words of Vulkan or of a compute stage. Varyings get locations; place holds the next one out and
-   the next one in. What a compute stage stores is a variable by its output's name with another first letter. */
+/* Prints a line in the words of Vulkan or of a compute stage. Varyings get locations; place holds the next location of
+   an output, and of an input. In a compute stage an output is a variable, which is stored at the end; its name begins
+   with r in place of o. */
 static void ssgi_gl__put_words(ssgi_gl__text *t, const char *s, size_t length, const ssgi_gl_shader_desc *text,
                                int place[2])
 {
@@ -7300,10 +7337,10 @@ static void ssgi_gl__put_words(ssgi_gl__text *t, const char *s, size_t length, c
     }
 }
 
-/* Prints a line of a kept function; where your textures are arrays (desc.input.array) it fetches them from a slice. */
+/* Prints a line of a kept function. If your textures are arrays (desc.input.array), it fetches them from a layer. */
 static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t length, const ssgi_gl_desc *d, int place[2])
 {
-    static const char flat[] = ", pixel + u_ssgi_origin"; /* A slice is put in where ", 0" follows. */
+    static const char flat[] = ", pixel + u_ssgi_origin"; /* Before ", 0" a layer is put in. */
     const char *yours = d->input.array ? strstr(line, ", pixel + u_ssgi_origin, 0") : NULL;
     if (d->shader.compute && !strncmp(line, "void main()", 11)) {
         ssgi_gl__print(t, "void ssgi_main()");
@@ -7316,7 +7353,7 @@ static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t lengt
             ssgi_gl__put_words(t, line, part, &d->shader, place);
         else ssgi_gl__put(t, line, part);
         if (part == length) break;
-        ssgi_gl__print(t, ", ivec3(pixel + u_ssgi_origin, u_ssgi_slice)");
+        ssgi_gl__print(t, ", ivec3(pixel + u_ssgi_origin, u_ssgi_layer)");
         length -= part + sizeof flat - 1;
         line = yours + sizeof flat - 1;
         yours = NULL;
@@ -7347,7 +7384,7 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
 
 static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise, int rgba8, const ssgi_gl_io *out);
 
-/* Prints the storage images of a compute stage, the variables that they are stored from, and its texel. */
+/* Prints the storage images of a compute stage, the variables whose values they store, and ssgi_at. */
 static void ssgi_gl__print_images(ssgi_gl__text *t, const ssgi_gl_desc *d, const ssgi_gl_io *io, int n, const char *set)
 {
     for (int i = 0; i < n; ++i) {
@@ -7362,7 +7399,7 @@ static void ssgi_gl__print_images(ssgi_gl__text *t, const ssgi_gl_desc *d, const
                        io[i].name, io[i].format);
         ssgi_gl__print(t, "%s r%s;\n", io[i].type, io[i].name + 1);
     }
-    ssgi_gl__print(t, "ivec2 ssgi_at; // this invocation's texel of them\n");
+    ssgi_gl__print(t, "ivec2 ssgi_at; // the texel that this invocation stores\n");
 }
 
 /* Prints the main function of a compute stage, around that of the pass. */
@@ -7450,7 +7487,7 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
 {
     ssgi_gl__program p;
-    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the very texts */
+    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the source of all stages */
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     const ssgi_gl_desc d = ssgi_gl_resolve(desc);
     ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
@@ -7535,7 +7572,7 @@ SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *des
         d.filter.quantity = SSGI_GL_QUANTITY_LIGHT;
     else if (pass == SSGI_GL_PASS_S3HO) d.filter.quantity = SSGI_GL_QUANTITY_COEFFICIENTS;
     else if (!filters || (pass == SSGI_GL_PASS_BLUR && !d.filter.quantity)) return 0;
-    /* Filtered results are read as compose reads them, those of gathers as blur does. */
+    /* Filtered results are read as compose reads them, and results of gathers as blur does. */
     d.pass = filters || surfels || pass == SSGI_GL_PASS_LIGHTS ? SSGI_GL_PASS_COMPOSE : SSGI_GL_PASS_BLUR;
     d.filter.kind = SSGI_GL_FILTER_BILATERAL;
     d.shader.lines = 0;
@@ -7588,16 +7625,16 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
 #define SSGI_GL__FUNC_ADD 0x8006u
 #define SSGI_GL__FUNC_REVERSE_SUBTRACT 0x800bu
 #define SSGI_GL__LINEAR 0x2601u
-#define SSGI_GL__NEAREST_MIPMAP_NEAREST 0x2700u /* the first of the filters between mip levels, which are the last */
+#define SSGI_GL__NEAREST_MIPMAP_NEAREST 0x2700u /* filters between mip levels begin at this number */
 #define SSGI_GL__DEPTH_COMPONENT 0x1902u
 #define SSGI_GL__DEPTH_COMPONENT16 0x81a5u /* 24 and 32 follow */
 #define SSGI_GL__DEPTH_COMPONENT32 0x81a7u
 #define SSGI_GL__DEPTH24_STENCIL8 0x88f0u
 #define SSGI_GL__DEPTH_COMPONENT32F 0x8cacu
 #define SSGI_GL__DEPTH32F_STENCIL8 0x8cadu
-#define SSGI_GL__R8I 0x8231u /* of one and two channels all integers are between these */
+#define SSGI_GL__R8I 0x8231u /* integers of one and two channels lie from this to the next */
 #define SSGI_GL__RG32UI 0x823cu
-#define SSGI_GL__RGBA32UI 0x8d70u /* of three and four channels between these */
+#define SSGI_GL__RGBA32UI 0x8d70u /* integers of three and four channels, likewise */
 #define SSGI_GL__RGB8I 0x8d8fu
 
 /* Formats of targets: by their channels, then by the kind of number. Columns as in ssgi_gl_format. GL's numbers are RED
@@ -7618,20 +7655,20 @@ static const ssgi_gl_format ssgi_gl__formats[SSGI_GL__CHANNELS][SSGI_GL__KINDS] 
       { "RGBA32F", 0x8814, 0x1908, 0x1406, 16, 109, "VK_FORMAT_R32G32B32A32_SFLOAT", "rgba32float" },
       { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16, 107, "VK_FORMAT_R32G32B32A32_UINT", "rgba32uint" } }
 };
-/* second, by ssgi_gl_chain.rgba8 */
+/* Formats of one byte a channel, by ssgi_gl_chain.rgba8. */
 static const ssgi_gl_format ssgi_gl__bytes[2] = {
     { "R8", 0x8229, 0x1903, 0x1401, 1, 9, "VK_FORMAT_R8_UNORM", "r8unorm" },
     { "RGBA8", 0x8058, 0x1908, 0x1401, 4, 37, "VK_FORMAT_R8G8B8A8_UNORM", "rgba8unorm" }
 };
 
-/* By ssgi_gl_input.meaning: the texture's name less t_ssgi_. */
+/* By ssgi_gl_input.meaning: the texture's name without t_ssgi_. */
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
     "depth",  "layers",    "back",   "views",   "normal",      "albedo",     "normal",
     "albedo", "direct",    "noise",  "kernel",  "environment", "irradiance", "lights",
     "shadow", "occluders", "fields", "objects", "motion",      "ambient",    "cap"
 };
 
-/* Those that are as large as the picture, a bit each by meaning. */
+/* Your textures that are as large as the picture: a bit for each, by its meaning. */
 enum {
     SSGI_GL__OF_PICTURE = 1 << SSGI_GL_YOUR_DEPTH | 1 << SSGI_GL_YOUR_LAYERS | 1 << SSGI_GL_YOUR_BACK
                         | 1 << SSGI_GL_YOUR_NORMAL | 1 << SSGI_GL_YOUR_ALBEDO | 1 << SSGI_GL_YOUR_DIRECT
@@ -7645,13 +7682,13 @@ typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
     ssgi_gl_step *steps, spare; /* spare takes the steps beyond the capacity */
     int capacity, count;
-    int textures;      /* numbers given so far */
-    int light, bounce; /* which of them hold the result; -1: none */
-    int depth;         /* which keeps view depth for the next frame; -1: none */
-    int picture;       /* 1: a step has drawn onto yours */
+    int textures;      /* how many textures have a number so far */
+    int light, bounce; /* numbers of the textures that hold the result; -1: none */
+    int depth;         /* number of the texture that keeps view depth for the next frame; -1: none */
+    int picture;       /* 1: a step has drawn onto your picture */
     const char *why;   /* the sentence of an error; NULL: there is none */
 
-    /* the texture that was last written under a name, less o_ssgi_ or t_ssgi_; -1: none */
+    /* the texture that was last written under each name, which stands without o_ssgi_ or t_ssgi_; -1: none */
     int names;
 
     struct {
@@ -7672,13 +7709,13 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
     return &b->written[i].texture;
 }
 
-/* Returns the format of an output: the channels that it needs, in as few bits as chain.precise lets it have. d:
-   resolved. rgba8: that of the chain. */
+/* Returns the format of an output: the channels that it needs, in as few bits as `precise` lets it have. d: a resolved
+   desc. precise, rgba8: as in ssgi_gl_chain. */
 static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise, int rgba8, const ssgi_gl_io *out)
 {
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
     const int single = *out->type == 'f', whole = *out->type == 'u';
-    const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole where they are packed */
+    const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole if they are packed */
     /* GLES does not blend 32-bit floats. */
     const int gles = d->shader.dialect >= SSGI_GL_DIALECT_300ES && d->shader.dialect < SSGI_GL_DIALECT_VULKAN;
     const int blended = ssgi_gl__pass_of(d->pass)->blend != SSGI_GL__BLEND_ONTO;
@@ -7689,24 +7726,24 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise,
     if (coefficients && (d->light.bands == 1 || (d->light.bands == 3 && last == (whole ? '1' : '2'))))
         channels = SSGI_GL__R;
     if (coefficients && whole && d->light.bands == 2) channels = SSGI_GL__RG;
-    if (single && !wide && !strncmp(out->format, "R8", 2)) /* Its row says that a byte holds it. */
+    if (single && !wide && !strncmp(out->format, "R8", 2)) /* The output's row says that a byte suffices. */
         return &ssgi_gl__bytes[d->shader.compute ? basic : rgba8 != 0];
     if (basic && channels == SSGI_GL__RG) channels = SSGI_GL__RGBA;
     if (basic && channels == SSGI_GL__R) wide = 1;
     return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
 
-/* Sets where a step draws: the image's size in its targets. d: resolved. */
+/* Sets the size of the image that a step draws into its targets. d: a resolved desc. */
 static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
 {
-    const int column = ssgi_gl__pass_of(d->pass)->size;
+    const int column = ssgi_gl__pass_of(d->pass)->scale;
     const int part = ssgi_gl__part(d);
-    const int chosen = part == 4 ? SSGI_GL__SIZE_QUARTER : part == 2 ? SSGI_GL__SIZE_HALF : SSGI_GL__SIZE_FULL;
-    const int size = column != SSGI_GL__SIZE_CHOSEN ? column : chosen;
-    s->size = size;
+    const int chosen = part == 4 ? SSGI_GL__SCALE_QUARTER : part == 2 ? SSGI_GL__SCALE_HALF : SSGI_GL__SCALE_FULL;
+    const int scale = column != SSGI_GL__SCALE_CHOSEN ? column : chosen;
+    s->scale = scale;
     s->width = (chain->width + part - 1) / part;
     s->height = (chain->height + part - 1) / part;
-    if (size == SSGI_GL__SIZE_LEVELS) {
+    if (scale == SSGI_GL__SCALE_LEVELS) {
         int level[2] = { 0, 0 };
         ssgi_splat_size(level, s->width, s->height, d->surfel.levels, NULL);
         s->width = level[0];
@@ -7714,7 +7751,7 @@ static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, cons
     }
 }
 
-/* Sets primitives, how many vertices they have, and how they are blended. d: resolved. */
+/* Sets the primitives, how many vertices there are, and how they are blended. d: a resolved desc. */
 static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
 {
     static const unsigned multiply[3] = { SSGI_GL__FUNC_ADD, SSGI_GL__DST_COLOR, SSGI_GL__ZERO };
@@ -7769,9 +7806,9 @@ static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_g
     in->meaning = -1;
     in->last = ssgi_gl__pass_of(d->pass)->texture == SSGI_GL__TEXTURE_KEPT
             && (!strcmp(name, "history") || !strcmp(name, "means"));
-    /* Pass history reads its own outputs of the last frame. They are numbered next, in the order of their rows: of
-       light that is o_ssgi_means, then o_ssgi_light, and with desc.light.restore o_ssgi_history before both. Another
-       input that no step has written yet is -1; ssgi_gl__left_by_last finds it. */
+    /* Pass history reads its own outputs of the last frame. This step's outputs get the next numbers, in the order of
+       their rows: for light o_ssgi_means, then o_ssgi_light, and with desc.light.restore o_ssgi_history before both.
+       Any other input that no step has written yet is -1 here; ssgi_gl__left_by_last finds it later. */
     in->texture = !in->last
                     ? *ssgi_gl__texture(b, name)
                     : b->textures + (d->filter.quantity && !strcmp(name, d->light.restore ? "means" : "history"));
@@ -7786,14 +7823,14 @@ static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_
     out->set = row->set;
     out->binding = row->binding;
     out->kept = texture == SSGI_GL__TEXTURE_KEPT && !(d->light.restore && !strcmp(row->name, "o_ssgi_light"));
-    if (texture == SSGI_GL__TEXTURE_SLICE) return; /* ssgi_gl__send gives it its number. */
+    if (texture == SSGI_GL__TEXTURE_LAYER) return; /* ssgi_gl__send sets out->texture. */
     out->texture = d->filter.onto ? -1 : b->textures++;
     b->picture |= d->filter.onto != SSGI_GL_ONTO_NONE;
     *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
     if (out->kept && b->depth < 0 && strcmp(row->name, "o_ssgi_means")) b->depth = out->texture;
 }
 
-/* Appends a step of a sound desc. frame: as in ssgi_gl_step. */
+/* Appends a step of a desc that ssgi_gl_check has accepted. frame: as in ssgi_gl_step. */
 static ssgi_gl_step *ssgi_gl__append(ssgi_gl__build *b, const ssgi_gl_desc *desc, const ssgi_gl_io *row, int rows,
                                      int frame)
 {
@@ -7810,14 +7847,15 @@ static ssgi_gl_step *ssgi_gl__append(ssgi_gl__build *b, const ssgi_gl_desc *desc
         s->groups[0] = (s->width + d.shader.group_width - 1) / d.shader.group_width;
         s->groups[1] = (s->height + d.shader.group_height - 1) / d.shader.group_height;
     }
-    for (int i = 0; i < rows; ++i) { /* Textures come before the outputs of their names. */
+    for (int i = 0; i < rows; ++i) { /* A texture's row comes before the output's of its name. */
         if (row[i].kind == SSGI_GL_IO_TEXTURE) ssgi_gl__step_input(b, s, &d, &row[i]);
         if (row[i].kind == SSGI_GL_IO_OUTPUT) ssgi_gl__step_output(b, s, &d, &row[i]);
     }
     return s;
 }
 
-/* Adds pass thickness, with the largest thickness of the chain: it is drawn once, whatever reads it. */
+/* Adds pass thickness, with the largest desc.gather.thickness of the chain, as it is drawn once for all that read
+   it. */
 static void ssgi_gl__add_thickness(ssgi_gl__build *b, const ssgi_gl_desc *desc)
 {
     ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -7863,7 +7901,7 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, s
 }
 
 /* Filters the texture that was last written under a name, and averages it over frames, as the chain wants. Returns the
-   texture of the result, -1: your picture has it. */
+   texture of the result; -1: it is drawn onto your picture. */
 static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
 {
     const int grey = !strcmp(name, "ao");
@@ -7877,7 +7915,7 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
     return b->picture ? -1 : *held;
 }
 
-/* Adds your lights to texture `light`, -1: there is none. Returns the texture that holds the sum. */
+/* Adds your lights to the light in texture `light` (-1: there is none). Returns the texture that holds the sum. */
 static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
 {
     ssgi_gl_desc d = *lights;
@@ -7887,14 +7925,14 @@ static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int lig
     return ssgi_gl__add(b, &d, SSGI_GL_PASS_LIGHTS, frame)->output[0].texture;
 }
 
-/* Returns the desc for a depth layer as an extra camera sees it; camera -1: the main one. */
+/* Returns the desc for a depth layer as an extra camera sees it; camera -1: the main camera. */
 static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer)
 {
     ssgi_gl_desc d = *desc;
     d.light.receiver = layer;
     if (camera < 0 && !layer) return d;
-    d.input.normal = SSGI_GL_NORMAL_SIGNED; /* Depth has normals of visible surfaces alone. */
-    if (d.pass != SSGI_GL_PASS_LIGHTS) {    /* Nothing filters it. */
+    d.input.normal = SSGI_GL_NORMAL_SIGNED; /* Depth gives normals of visible surfaces alone. */
+    if (d.pass != SSGI_GL_PASS_LIGHTS) {    /* No filter follows. */
         d.gather.resolution = SSGI_GL_RESOLUTION_FULL;
         d.light.restore = SSGI_GL_RESTORE_NONE;
     }
@@ -7907,7 +7945,7 @@ static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc
     return d;
 }
 
-/* Adds pass emitters for a layer of a camera (-1: the main one), which writes a slice of its camera's texture. */
+/* Adds pass emitters for a layer of a camera (-1: the main one), which writes a layer of its camera's texture. */
 static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, ssgi_gl_radiance radiance)
 {
     const ssgi_gl_desc *const of = &b->chain->desc;
@@ -7917,12 +7955,12 @@ static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, ssgi_gl_radi
     ssgi_gl_output *out;
     d.light.radiance = radiance;
     d.light.bounced = b->chain->bounced && camera < 0 && !layer && of->pass == SSGI_GL_PASS_SSDO;
-    d.input.world_normals |= camera >= 0; /* They are turned from that camera's view space to yours. */
+    d.input.world_normals |= camera >= 0; /* Normals are turned from its view space to yours. */
     out = ssgi_gl__add(b, &d, SSGI_GL_PASS_EMITTERS, camera < 0 ? 0 : 2 + 2 * camera)->output;
     if (*held < 0) *held = b->textures++;
     out->texture = *held;
-    out->slices = camera < 0 ? slices : of->gather.views * slices;
-    out->slice = camera < 0 ? layer : camera * slices + layer;
+    out->layers = camera < 0 ? slices : of->gather.views * slices;
+    out->layer = camera < 0 ? layer : camera * slices + layer;
 }
 
 /* Adds the steps of the light that reaches a layer of a camera directly. Returns its texture; -1: there is none. */
@@ -7938,7 +7976,7 @@ static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
     return ssgi_gl__light(b, &lights, light, frame);
 }
 
-/* Adds emitters that the picture does not show: other cameras see them, or they lie behind the first layer. */
+/* Adds emitters that the picture does not show, as other cameras see them, or as they lie behind the first layer. */
 static void ssgi_gl__hidden(ssgi_gl__build *b)
 {
     const ssgi_gl_desc *d = &b->chain->desc;
@@ -7949,12 +7987,12 @@ static void ssgi_gl__hidden(ssgi_gl__build *b)
         if (albedo || ssgi_gl__direct(b, camera, layer) >= 0)
             ssgi_gl__send(b, camera, layer, albedo ? SSGI_GL_RADIANCE_ALBEDO : SSGI_GL_RADIANCE_LIGHT);
         else if (b->chain->direct)
-            b->why = "chain.direct: is of visible surfaces; hidden emitters (desc.gather.layers, views) need "
+            b->why = "chain.direct: lights visible surfaces alone; hidden emitters (desc.gather.layers, views) need "
                      "desc.light.environment or chain.lights";
     }
 }
 
-/* Adds light, and its bounce: in one gather where emitters send the last frame's light (chain.reuse), else in two. */
+/* Adds light and its bounce: in one gather if emitters send the last frame's light (chain.reuse), otherwise in two. */
 static void ssgi_gl__ssdo(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
@@ -7973,7 +8011,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
     }
     b->light = ssgi_gl__direct(b, -1, 0);
     if (d.light.bounce && (b->light >= 0 || chain->direct)) {
-        if (chain->vpls) { /* Single points give just the falloff that virtual lights lack. */
+        if (chain->vpls) { /* By single points the bounce has exactly the light that virtual ones lack. */
             d.gather.falloff = SSGI_GL_FALLOFF_SQUARE;
             d.gather.fade = SSGI_GL_FADE_NONE;
             d.gather.range_check = 0;
@@ -8028,17 +8066,16 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
-/* DEFAULT in a chain: slices have WIDTH, which has the least error of all choices that need no further input. The other
-   passes
-   may read layers and cameras, which have no widths. */
+/* In a chain DEFAULT is WIDTH for slices, which has the least error of all choices that need no further input. The
+   other searches may read layers and cameras, which have no widths. */
 static void ssgi_gl__thickness(ssgi_gl_desc *d)
 {
     if (d->gather.thickness == SSGI_GL_THICKNESS_DEFAULT && ssgi_gl__holds("by_slices", d))
         d->gather.thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
-/* Adds one effect of surfels, and of slices near by (desc.surfel.span). light: the texture of the light on visible
-   surfaces, -1: there is none. Returns the texture that holds the effect. */
+/* Adds one effect of surfels, and of slices for near occluders (desc.surfel.span). light: the texture of the light on
+   visible surfaces; -1: there is none. Returns the texture that holds the effect. */
 static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_effect effect, int light)
 {
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
@@ -8055,7 +8092,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         if (lit) slices.gather.falloff = SSGI_GL_FALLOFF_NONE; /* Light does not fade. */
         slices.light.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
         slices.light.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-        slices.light.restore = SSGI_GL_RESTORE_RATIO; /* Pass sum multiplies by it. */
+        slices.light.restore = SSGI_GL_RESTORE_RATIO; /* Pass sum multiplies by this ratio. */
         *ssgi_gl__texture(b, "light") = light;
         if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
         ssgi_gl__add(b, &slices, slices.pass, 0);
@@ -8068,10 +8105,10 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
         slices.filter.quantity = lit ? SSGI_GL_QUANTITY_LIGHT : SSGI_GL_QUANTITY_VISIBILITY;
         slices.filter.radius = 1;
         slices.filter.normals = bounce;
-        slices.filter.onto = SSGI_GL_ONTO_NONE; /* Pass sum reads it. */
+        slices.filter.onto = SSGI_GL_ONTO_NONE; /* Pass sum reads the result. */
         ssgi_gl__add(b, &slices, SSGI_GL_PASS_BLUR, 0);
     }
-    /* In half size one filter serves slices and surfels. */
+    /* Below full resolution one filter serves slices and surfels. */
     d.light.restore = d.gather.resolution && effect == SSGI_GL_EFFECT_LIGHT ? SSGI_GL_RESTORE_RATIO
                                                                             : SSGI_GL_RESTORE_NONE;
     ssgi_gl__add(b, &d, SSGI_GL_PASS_DSS, 0);
@@ -8088,12 +8125,12 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
     return ssgi_gl__filter(b, &d, lit ? "light" : "ao");
 }
 
-/* Adds surfels, and their effect; of light its bounce, too, as a second effect. */
+/* Adds surfels and their effect. After the effect LIGHT adds its bounce, as a second effect. */
 static void ssgi_gl__deep(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
-    /* Without slices nothing else sends the environment's light. */
+    /* With the effect LIGHT and without slices, surfels alone send the environment's light. */
     if (!chain->hidden_sky && (d.surfel.span || d.surfel.effect != SSGI_GL_EFFECT_LIGHT))
         d.light.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (chain->surfels) ssgi_gl__add(b, &d, SSGI_GL_PASS_SURFELS, 0);
@@ -8144,7 +8181,7 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
     if (!row) return ssgi_gl__fields[0].choice.sentence;
     if (row->chain == SSGI_GL__CHAIN_NONE)
         return "chain.desc.pass: must be a pass with a result of its own, as SSGI_GL_PASS_HSAO is: this one is a step "
-               "that ssgi_gl_steps adds where a chain needs it";
+               "that ssgi_gl_steps adds if a chain needs it";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
         return "chain.width, height: must be 1..16384";
     for (int i = 0; i < SSGI_GL__CHAIN_CHOICES; ++i) {
@@ -8152,7 +8189,7 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
         const int value = ssgi_gl__get(chain, choice->offset);
         if (value < 0 || value > choice->most) return choice->sentence;
     }
-    if (chain->history && !chain->blur) return "chain.history: filters its average: needs blur = 1";
+    if (chain->history && !chain->blur) return "chain.history: filters before it averages: needs blur = 1";
     if (chain->history && chain->coefficients && pass == SSGI_GL_PASS_S3HO)
         return "chain.history: averages light, not coefficients: needs coefficients = 0";
     if (pass == SSGI_GL_PASS_S3HO && chain->desc.light.transfer && chain->desc.light.occluded_emitters
@@ -8192,7 +8229,7 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b)
     else b->light = ssgi_gl__add(b, d, d->pass, 0)->output[0].texture;
     if (ssgi_gl__pass_of(d->pass)->chain == SSGI_GL__CHAIN_FILTERED) b->light = ssgi_gl__filter(b, d, "ao");
     if (!b->why && b->light < 0 && b->bounce < 0 && !b->picture)
-        b->why = "chain: nothing lights it: desc.light.environment, lights, or direct";
+        b->why = "chain: nothing lights it: it needs desc.light.environment, lights or direct";
     if (!b->why) ssgi_gl__compose(b);
 }
 
@@ -8214,18 +8251,18 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         return 0;
     }
     own = *chain;
-    if (own.desc.pass != SSGI_GL_PASS_S3HO) { /* fields of s3ho and shade that blur looks at, too */
+    if (own.desc.pass != SSGI_GL_PASS_S3HO) { /* Pass blur looks at these fields of s3ho and shade, too. */
         own.desc.light.transfer = SSGI_GL_TRANSFER_DIRECT;
         own.desc.light.shading = SSGI_GL_SHADING_HARMONICS;
         own.desc.light.shaded = own.desc.light.harmonic_lights = 0;
     }
     ssgi_gl__thickness(&own.desc);
-    /* Four frames bring all pixels of a 2x2, sixteen all of a 4x4. */
+    /* Four frames gather all pixels of each 2x2, or sixteen frames all of each 4x4. */
     if (own.history && own.desc.gather.resolution)
         own.desc.gather.resolution = own.desc.gather.resolution < SSGI_GL_RESOLUTION_QUARTER
                                        ? SSGI_GL_RESOLUTION_HALF_IN_TURN
                                        : SSGI_GL_RESOLUTION_QUARTER_IN_TURN;
-    /* The default of blur is 4. */
+    /* The default of bands is 4 in pass blur, and 3 in ssdo. */
     if (own.desc.pass == SSGI_GL_PASS_SSDO && !own.desc.light.bands) own.desc.light.bands = 3;
     /* The first turn checks all, the second writes. */
     for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {
@@ -8249,7 +8286,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
                                                                     : SSGI_GL_RESULT_NONE;
             for (int m = 0; m < b.count && m < b.capacity; ++m)
                 for (int n = 0; n < steps[m].inputs; ++n) {
-                    ssgi_gl_input *const in = &steps[m].input[n]; /* Nothing is known of your textures. */
+                    ssgi_gl_input *const in = &steps[m].input[n]; /* Your textures are left as they are. */
                     if (in->meaning < 0 && in->texture < 0) {
                         in->texture = ssgi_gl__left_by_last(&b, in->name);
                         in->last = 1;
@@ -8270,13 +8307,13 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 static const ssgi_gl_method ssgi_gl__methods[] = {
     { "hsao", "Ambient occlusion by slices: the choice for most.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "" },
-    { "hsao-fast", "HSAO at half size by one slice, with constant thickness.",
+    { "hsao-fast", "HSAO at half resolution, with one slice and constant thickness.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "" },
-    { "hsao-best", "HSAO at full size, with more taps.",
+    { "hsao-best", "HSAO at full resolution, with more samples.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BEST, "" },
-    { "hsao-quarter", "HSAO at a quarter of the size, for weak GPUs.",
+    { "hsao-quarter", "HSAO at quarter resolution, for weak GPUs.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_FAST, "resolution=QUARTER,slices=2,samples=8,filter_radius=1" },
-    { "hsao-history", "HSAO averaged over frames: one slice of many taps. It needs the last frame's matrices.",
+    { "hsao-history", "HSAO averaged over frames: one slice of many samples. It needs the last frame's matrices.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "history=1,slices=1,samples=12,filter_radius=1" },
     { "hsao-march", "The paper's march and normal rays, for depth layers and extra cameras.",
       SSGI_GL_PASS_HSAO, SSGI_GL_PRESET_BALANCED, "search=MARCH" },
@@ -8285,9 +8322,9 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
     { "ssdo", "The light of an environment with directional occlusion, and one bounce of it. It needs albedo and an "
       "environment map.",
       SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BALANCED, "environment=MAP,bounce=SOLID_ANGLE" },
-    { "ssdo-fast", "SSDO with fewer taps.",
+    { "ssdo-fast", "SSDO with fewer samples.",
       SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_FAST, "environment=MAP,bounce=SOLID_ANGLE" },
-    { "ssdo-best", "SSDO at full size, with more taps.",
+    { "ssdo-best", "SSDO at full resolution, with more samples.",
       SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BEST, "environment=MAP,bounce=SOLID_ANGLE" },
     { "ssdo-points", "SSDO by the paper's points along directions, for depth layers and extra cameras.",
       SSGI_GL_PASS_SSDO, SSGI_GL_PRESET_BALANCED, "search=POINTS,environment=MAP,bounce=SOLID_ANGLE" },
@@ -8295,10 +8332,10 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
       "frame.harmonics.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED,
       "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE,filter_radius=2" },
-    { "s3ho-fast", "S3HO with fewer taps.",
+    { "s3ho-fast", "S3HO with fewer samples.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_FAST,
       "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE,filter_radius=2" },
-    { "s3ho-best", "S3HO at full size, with more taps.",
+    { "s3ho-best", "S3HO at full resolution, with more samples.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BEST,
       "shaded=1,residual=1,transfer=BOTH,packed_coefficients=1,restore=DIFFERENCE" },
     { "s3ho-points", "S3HO by the paper's points along directions, for depth layers and extra cameras.",
@@ -8308,28 +8345,29 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED, "bands=2,shading=BENT_CONE,restore=RATIO" },
     { "ssbn-points", "Bent normals and cones by points along directions.",
       SSGI_GL_PASS_S3HO, SSGI_GL_PRESET_BALANCED, "search=POINTS,bands=2,shading=BENT_CONE,restore=RATIO" },
-    { "dss", "Deep screen space: surfels of all triangles, seen or not, occlude, and near ones by slices. It needs "
+    { "dss", "Deep screen space: surfels of all triangles, seen or not, occlude; slices find near occluders. It needs "
       "triangles.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BALANCED, "span=6" },
-    { "dss-fast", "Deep screen space at a quarter of the size.",
+    { "dss-fast", "Deep screen space at quarter resolution.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_FAST, "span=6" },
-    { "dss-best", "Deep screen space at full size.",
+    { "dss-best", "Deep screen space at full resolution.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST, "span=6" },
     { "dss-lit", "Deep screen space as directional occlusion of an environment and of lights with shadow maps, and one "
       "bounce. It needs triangles with colours, albedo, lights and an environment map.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BALANCED,
       "span=6,effect=LIGHT,environment=MAP,bounce=SOLID_ANGLE,surfels=1,sends=LIGHTS,shadow=MAP,lights.shadow=MAP" },
-    { "dss-gloss", "The specular bounce of light that surfels send. It needs what dss-lit needs.",
+    { "dss-gloss", "The specular bounce of light that surfels send. It needs the inputs of dss-lit.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST,
       "effect=SPECULAR,levels=5,near_samples=4,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
-    { "dss-scatter", "Light that scatters under surfaces. It needs what dss-lit needs.",
+    { "dss-scatter", "Light that scatters under surfaces. It needs the inputs of dss-lit.",
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST,
       "effect=SCATTER,levels=7,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
     { "aof", "Occlusion between rigid objects, from fields that ssgi_field_bake makes of each.",
       SSGI_GL_PASS_AOF, SSGI_GL_PRESET_BALANCED, "" }
 };
 
-/* What a name begins with, other words for it, and the sentence on an unknown name that is nearest to these. */
+/* The word with which the names of a family begin, other words for it, and the sentence on an unknown name that is
+   nearest to one of them. */
 #define SSGI_GL__NEAR(names) "name: there is no such method; the nearest are " names
 static const char *const ssgi_gl__families[][2] = {
     { "hsao gtao hbao", SSGI_GL__NEAR("hsao, hsao-fast, hsao-best, hsao-quarter, hsao-history and hsao-march") },
@@ -8350,7 +8388,7 @@ SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i)
     return i >= 0 && i < SSGI_GL__METHODS ? &ssgi_gl__methods[i] : NULL;
 }
 
-/* A character of a name: any case, with - for _. */
+/* Returns a character of a name in lower case, and _ for -, as names are compared without regard to these. */
 static int ssgi_gl__folded(char c) { return c == '-' ? '_' : c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; }
 
 static int ssgi_gl__same(const char *name, const char *word, size_t length)
@@ -8360,8 +8398,8 @@ static int ssgi_gl__same(const char *name, const char *word, size_t length)
     return i == length && !name[i];
 }
 
-/* How many characters must be put in, left out or changed to make a name of a word (Levenshtein's distance); of longer
-   words the first 24 count. */
+/* How many characters of a word must be added, removed or changed to make a name of it (Levenshtein's distance). Only
+   the first 24 characters of the word count. */
 static int ssgi_gl__distance(const char *name, size_t name_length, const char *word, size_t length)
 {
     int row[25];
@@ -8379,7 +8417,7 @@ static int ssgi_gl__distance(const char *name, size_t name_length, const char *w
     return row[length];
 }
 
-/* Returns the sentence on a method's name that there is not. */
+/* Returns the sentence on an unknown name of a method. */
 static const char *ssgi_gl__near_method(const char *word, size_t length)
 {
     const char *near_it = NULL;
@@ -8400,7 +8438,7 @@ static const char *ssgi_gl__near_method(const char *word, size_t length)
     return near_it;
 }
 
-/* Returns the row of a field with that name, or else the one whose name is nearest. */
+/* Returns the row of the field whose name is nearest to a word; *edits: their distance, 0 if they are equal. */
 static const ssgi_gl__field *ssgi_gl__near_field(const ssgi_gl__field *fields, int count, const char *word,
                                                  size_t length, int *edits)
 {
@@ -8432,7 +8470,7 @@ static int ssgi_gl__number(const ssgi_gl_choice *choice, const char *text, size_
     return n && n == length && number <= choice->most ? number : -1;
 }
 
-/* Sets FIELD=VALUE in a chain. Returns NULL, or what is wrong. */
+/* Sets FIELD=VALUE in a chain. Returns NULL, or the sentence of an error. */
 static const char *ssgi_gl__set(ssgi_gl_chain *chain, const char *item, size_t length)
 {
     static const char lights[] = "lights.";
@@ -8463,7 +8501,7 @@ static const char *ssgi_gl__set(ssgi_gl_chain *chain, const char *item, size_t l
     return NULL;
 }
 
-/* Sets all of a list with commas between; *preset becomes that of a first item that names one. */
+/* Sets all items of a list, which are separated by commas. A first item may name a preset, which *preset becomes. */
 static const char *ssgi_gl__set_all(ssgi_gl_chain *chain, int *preset, const char *items)
 {
     static const char *const presets[] = { "fast", "balanced", "best" };
@@ -8493,7 +8531,7 @@ SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, co
     memset(&c, 0, sizeof c);
     c.desc.pass = (ssgi_gl_pass)ssgi_gl__methods[m].pass;
     c.blur = 1;
-    /* The preset depends on the search, and what is given stands over what the preset sets. */
+    /* Settings are set before the preset, which depends on the search, and again after it, as they override it. */
     for (int turn = 0; turn < 2; ++turn) {
         const char *bad = ssgi_gl__set_all(&c, &preset, ssgi_gl__methods[m].settings);
         if (!bad) bad = ssgi_gl__set_all(&c, &preset, own);
@@ -8521,13 +8559,13 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (!f) return "nothing is bound";
     if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
     if (format && f != format->internal) return "is not of the format that the step names";
-    if (in && integer != in->integer) return "must be of integers where its sampler is, and nowhere else";
+    if (in && integer != in->integer) return "must hold integers if its sampler does, and only then";
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than the picture";
-    if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
+    if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size, but must be smaller";
     if (!in || in->target == SSGI_GL__TEXTURE_2D_MULTISAMPLE) return NULL; /* Samples are not filtered. */
     if (is->filter >= SSGI_GL__NEAREST_MIPMAP_NEAREST)
-        return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
+        return "must have GL_NEAREST as its minifying filter: this one reads mip levels";
     if (is->filter == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its minifying filter";
     if (is->magnify == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its magnifying filter";
     return is->compare ? "must have GL_NONE as its compare mode" : NULL;
@@ -8539,7 +8577,7 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
     ssgi_gl__text t = { out, capacity, 0, 0 };
     for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
         const ssgi_gl_input *in = &step->input[i];
-        const int any = in->last; /* Of the last frame it has that one's size. */
+        const int any = in->last; /* A texture of the last frame has that frame's size. */
         const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, any ? 0 : in->width, any ? 0 : in->height);
         if (wrong)
             ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit, wrong);
@@ -8554,8 +8592,9 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
 
 /* ==== >>frame (implementation) ==================================================================================== */
 
-/* Whether all are finite and none is larger than `most` [limit: >= 0], by the bits. With -ffast-math compilers take
-   arguments and sums to be finite, and recent ones of clang even a test of their bits, but for what is volatile. */
+/* Whether the magnitudes of all values are at most `most` [limit: >= 0]; those of NaN and infinity are not. With
+   -ffast-math compilers assume that arguments and sums are finite. So the bits are tested, and they are volatile, since
+   recent versions of clang even assume the result of such a test. */
 static int ssgi_gl__within(const float *v, int count, float most)
 {
     uint32_t limit, bits;
@@ -8591,8 +8630,8 @@ static int ssgi_gl__rigid(const float m[16])
     SSGI_GL__MATRIX(m); \
     SSGI_GL__CHECK(ssgi_gl__rigid(m), #m ": must be rigid: a rotation and a translation")
 
-/* Composes two rigid world-to-view matrices: a after the inverse of b. The transpose of b would not do: its floats are
-   rounded, and a camera that stands far away multiplies by how far. */
+/* Composes two rigid world-to-view matrices: a after the inverse of b. The transpose of b is not precise enough as its
+   inverse: b's floats are rounded, and the distance of a camera from the origin multiplies that error. */
 static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
 {
     double inverse[9], volume = 0.0;
@@ -8621,7 +8660,7 @@ static double ssgi_gl__decoded(float decode[3], const ssgi_view *view)
     memcpy(decode, view->depth, sizeof view->depth);
     decode[2] = view->clear;
     if (!view->orthographic || (near_plane >= 0.0 && near_plane <= deep)) return 0.0;
-    /* Without the view's own depth[0], which a far eye rounds: the depth behind the near plane is a difference. */
+    /* The view's own depth[0] is rounded if the eye is far away. Depth behind the near plane does not depend on it. */
     const double pixel = (double)ssgi_pixel_footprint(view, 1.0f);
     double behind = -(double)view->depth[1] * (1.0 - (double)view->clear);
     for (int i = 0; i < 2; ++i) {
@@ -8632,9 +8671,9 @@ static double ssgi_gl__decoded(float decode[3], const ssgi_view *view)
     return (double)(float)(near_plane - pixel);
 }
 
-/* Fills two column-major matrices of rigid ones: from a point of the main camera's view space to x, y (pixels, times
-   depth when perspective), view depth, 1 of another camera; and back. Each space begins at a view depth:
-   ssgi_gl__decoded. Writes nothing if floats cannot hold them. */
+/* Fills two column-major matrices from rigid ones. `to` takes a point of the main camera's view space to x, y (pixels,
+   with perspective times depth), view depth and 1 of another camera; `from` takes it back. Each of both view spaces
+   begins at the view depth that ssgi_gl__decoded returns. Writes nothing if floats cannot hold the matrices. */
 static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
                                       const float *other, double begins, double other_begins, const char **why)
 {
@@ -8654,7 +8693,7 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
         out[0][4 * c + 2] = z;
         out[0][4 * c + 3] = c == 3 ? 1.0 : 0.0;
     }
-    for (int r = 0; r < 4; ++r) { /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
+    for (int r = 0; r < 4; ++r) { /* view xy = x, y * unproject.xy + unproject.zw, with perspective times depth */
         const double shift = b[r] * (double)view->unproject[2] + b[4 + r] * (double)view->unproject[3];
         out[1][r] = b[r] * (double)view->unproject[0];
         out[1][4 + r] = b[4 + r] * (double)view->unproject[1];
@@ -8744,7 +8783,7 @@ SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *
     return count;
 }
 
-/* The width of a pixel at depth 1, in view units, as ssgi_footprint of the library has it. */
+/* The width of a pixel at depth 1, in view units, as ssgi_footprint (>>library) computes it. */
 static float ssgi_gl__footprint(const float unproject[4])
 {
     const float x = unproject[0] < 0.0f ? -unproject[0] : unproject[0];
@@ -8788,8 +8827,9 @@ SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, floa
 
 SSGI_DEF float ssgi_gl_phase(uint32_t k)
 {
-    /* Every four frames in a row have each quarter of the phases; from four to four they move by a quarter of the
-       golden ratio's fraction, and a quarter, so that each of the four spreads as that does. */
+    /* Each group of four frames has a phase in every quarter of 0..1. From group to group phases advance by a quarter
+       of the golden ratio's fraction, plus a quarter, so that within a quarter they spread as multiples of that
+       ratio. */
     static const uint32_t quarter[4] = { 0, 2, 1, 3 };
     const uint32_t phase = (k >> 2) * 1737350767u + (quarter[k & 3] << 30);
     return (float)((phase >> 8 & ~15u) | (k & 15)) / 16777216.0f;
@@ -8808,15 +8848,15 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
     return SSGI_OK;
 }
 
-/* Whether as many rows follow a light as it says that its sun has wider maps. */
+/* Whether at least as many rows follow a sun's row as that row says that there are wider maps of this sun. */
 static int ssgi_gl__maps_follow(const ssgi_gl_light *l, int rows)
 {
     const float wider = l->min_distance;
     return l->kind >= 0.5f || (wider >= 0.0f && wider <= (float)rows && (float)(int)wider == wider);
 }
 
-/* Returns the irradiance over pi of a surfel by a light of colour 1, without occlusion; the light's kind as >>light of
-   the library tells it apart. */
+/* Returns the irradiance over pi of a surfel by a light of colour 1, without occlusion. Kinds of light are told apart
+   as in >>light. */
 static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
 {
     const int sun = l->kind < 0.5f;
@@ -8833,7 +8873,7 @@ static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
         for (int k = 0; k < 3; ++k) q[c] += (double)l->map[c][k] * (double)s->position[k];
     }
     if (!(d > 0.0) || !(facing > 0.0)) return 0.0;
-    if (sun && l->min_distance > 0.0f) return 0.0; /* The row of its widest map counts. */
+    if (sun && l->min_distance > 0.0f) return 0.0; /* Only the row of its widest map counts. */
     if (spot && l->tile[2] > 0.0f
         && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
              && q[1] < q[2] * (double)l->tile[3]))
@@ -8843,8 +8883,8 @@ static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
     return sun ? facing : facing / (d > least ? d : least);
 }
 
-/* Returns the largest component of the radiance that a surfel sends; 0 where it is 1e-30 or less, as shaders divide by
-   frame.sent. */
+/* Returns the largest component of the radiance that a surfel sends. It is 0 if it is 1e-30 or less, as shaders divide
+   by frame.sent. */
 static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights, int light_count, const float *sky)
 {
     double light[3] = { 0.0, 0.0, 0.0 }, sent = 0.0;
@@ -8947,9 +8987,9 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why)
 {
-    enum { bins = 256 }; /* of radiances below the most, each 1/8 of an octave: down to 2^-32 of it */
+    enum { bins = 256 }; /* from the largest radiance down to 2^-32 of it */
 
-    const double octave = 8.0; /* bins */
+    const double octave = 8.0; /* bins an octave */
     double sum[bins] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
     int b;
     SSGI_GL__THERE(frame);
@@ -8958,7 +8998,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
     SSGI_GL__CHECK(!sky || (ssgi_gl__within(sky, 3, SSGI_FAR) && sky[0] >= 0.0f && sky[1] >= 0.0f && sky[2] >= 0.0f),
                    "sky: must be 0 or more and finite");
-    for (size_t i = 0; i < count; ++i) /* position to colour */
+    for (size_t i = 0; i < count; ++i) /* members position to colour */
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&surfels[i], 11, SSGI_FAR), "surfels: must be finite");
     for (int k = 0; k < light_count; ++k)
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
@@ -8978,7 +9018,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
         sum[b < bins ? b : bins - 1] += flux;
         all += flux;
     }
-    /* the median, within its bin by the share of the bin that it takes */
+    /* The median of the flux, interpolated within its bin. */
     for (b = 0; b < bins && below + sum[b] < 0.5 * all; ++b) below += sum[b];
     if (all > 0.0 && b < bins)
         frame->sent = (float)(most * exp2(-(b + 1 - (below + sum[b] - 0.5 * all) / sum[b]) / octave));

@@ -1,6 +1,6 @@
-/* minimal.c - a whole program, which writes ao.pgm: OSMesa is the engine's context, a few boxes its scene, ssgi's part
-   between the lines of "====". Engines compile once: examples/hosts.   cc examples/minimal.c -lOSMesa -lm && ./a.out
-   Where there is no OSMesa, which Mesa dropped in 25.1, EGL is the context:   cc examples/minimal.c -lEGL -lGL -lm */
+/* minimal.c - a whole program, which writes ao.pgm: OSMesa gives the engine's context, its scene is a few boxes, and
+   ssgi's part is between the lines of "====". It compiles at each call; examples/hosts compile once. cc
+   examples/minimal.c -lOSMesa -lm && ./a.out or, without OSMesa (Mesa dropped it in 25.1), by EGL: -lEGL -lGL -lm */
 #include <stdio.h>
 #define GL_GLEXT_PROTOTYPES
 #if __has_include(<GL/osmesa.h>)
@@ -50,7 +50,7 @@ static GLuint target(GLenum attachment, GLenum internal, GLenum format, GLenum t
     glGenTextures(1, &t), glBindTexture(GL_TEXTURE_2D, t);
     glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal, w, h, 0, format, type, NULL);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);     /* else textures of integers read 0 */
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);     /* else integer textures read 0 */
     glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, t, 0);
     return t;
 }

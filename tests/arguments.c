@@ -1,6 +1,6 @@
-/* arguments.c - functions that refuse what is wrong, with the limits of their arguments as rows. Each limit is broken
-   alone, in each way that its kind has: the function refuses, names the argument, and writes nothing. A test of math;
-   nan.c includes it, too, which is compiled by other rules of arithmetic: WRONG(format, ..) takes note of a fault. */
+/* arguments.c - calls with bad arguments. Each argument's limits are a row; each limit is broken alone, in every way
+   that the argument's kind has. The function must refuse, name the argument and write nothing. Part of group math.
+   nan.c includes it, too, and is compiled by other rules of arithmetic: WRONG(format, ..) notes a fault. */
 #include "../ssgi_gl.h"
 #include <math.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #define WRONG(...) CHECK(0, __VA_ARGS__)
 #endif
 
-/* The arguments of a call, in their order. */
+/* The arguments of the next call, in their order. */
 static union {
     void *p;
     int n;
@@ -21,7 +21,7 @@ static union {
 #define F(i) arg[i].f
 #define Z(i) arg[i].z
 
-/* Arguments that are right. */
+/* Valid arguments. */
 static float projection[16] = { 1.3f, 0, 0, 0, 0, 2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2002f, 0 };
 static float rigid_[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 };
 static float other[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1f, 0, -2, 1 };
@@ -45,11 +45,11 @@ static ssgi_trace trace;
 static ssgi_plan_scene scene;
 static uint32_t texels[432], words[9];
 
-/* Outputs: the first, and one behind it. */
+/* Outputs: the first, and one half of the room behind it. */
 enum { ROOM = 20000 };
 static double written[ROOM], untouched[ROOM];
 
-/* Makes those that the library makes. Returns 0 when it cannot, and why. */
+/* Fills the arguments that the library itself makes. Returns 0 and a reason if it cannot. */
 static int arguments_begin(const char **why)
 {
     static float work[1 << 17];
@@ -105,14 +105,14 @@ CALL(extra_view, ssgi_gl_views_set(P(0), N(1), P(2), P(3), P(4), why))
 CALL(shadow_map, ssgi_gl_light_map(P(0), P(1), N(2), N(3), P(4), P(5), why))
 CALL(occluder, ssgi_gl_occluder_set(P(0), P(1), P(2), P(3), N(4), N(5), why))
 
-/* Kinds of arguments, and what is wrong for them. COUNT, SIZE, NUMBER: both values of bad; of floats no number, too.
-   POINTER: NULL. DIRECTION: zeros, too. OPTIONAL: may be NULL. RIGID: any other matrix, too. MEMBER: floats of what
-   another argument points to. */
+/* Kinds of arguments and their bad values. COUNT, SIZE, NUMBER: both values of bad, and a NUMBER is also not finite.
+   POINTER: NULL. DIRECTION: NULL and zeros. OPTIONAL: NULL is allowed. RIGID: NULL and matrices that are not rigid.
+   MEMBER: floats in the memory of another argument. */
 enum { NONE, COUNT_, SIZE_, NUMBER_, POINTER_, DIRECTION_, OPTIONAL_, RIGID_, MEMBER_ };
 
 typedef struct argument {
-    const char *name; /* the sentence begins with it */
-    int kind, floats; /* how many of them must be finite */
+    const char *name; /* a refusal begins with it */
+    int kind, floats; /* floats: how many of them must be finite */
     void *at;
     double is, bad[2];
 } argument;
@@ -222,7 +222,7 @@ static const struct call {
 };
 enum { CALLS = sizeof calls / sizeof *calls, ARGUMENTS = sizeof calls->arguments / sizeof *calls->arguments };
 
-/* What is wrong for one argument alone: an element of what it points to, or with -1 the argument itself. */
+/* A bad value of one argument alone: at an element of the memory it points to, or -1: as the argument itself. */
 static const struct odd {
     ssgi_result (*call)(const char **why);
     const char *name;
@@ -241,7 +241,7 @@ static const struct odd {
             { extra_view, "i", -1, 1e6 },         { occluder, "mesh_to_view", 0, 1.1 },
             { sent, "sky", 0, -1 } };
 
-/* NaNs and infinities. */
+/* NaNs and infinities, by their bits. */
 static const uint32_t not_finite[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
 enum { NOT_FINITE = sizeof not_finite / sizeof *not_finite };
 
@@ -256,7 +256,7 @@ static void arguments_right(const struct call *c)
     }
 }
 
-/* The call with what is wrong now refuses, names argument k and writes nothing; as well without a place for why. */
+/* The call refuses its bad argument k, names it and writes nothing, with and without a pointer for the reason. */
 static void refuses(const struct call *c, int k, const char *how)
 {
     const char *const name = c->arguments[k].name;
@@ -274,7 +274,7 @@ static void refuses(const struct call *c, int k, const char *how)
     }
 }
 
-/* With one float exchanged. */
+/* The same, with other bits in one float. */
 static void refuses_float(const struct call *c, int k, float *v, const void *bits, const char *how)
 {
     float was;
@@ -284,7 +284,8 @@ static void refuses_float(const struct call *c, int k, float *v, const void *bit
     memcpy(v, &was, sizeof was);
 }
 
-/* Matrices that are scaled, sheared, singular, of another last row; one with z negated, and rounded, is rigid. */
+/* Refuses matrices that are scaled, sheared, singular or have another last row. It takes a rigid one with z negated,
+   and with rounded values. */
 static void refuses_matrices(const struct call *c, int k)
 {
     static const char *const how[] = { "scaled", "hardly scaled", "sheared", "singular", "of w 2", "of another row" };
@@ -306,7 +307,7 @@ static void refuses_matrices(const struct call *c, int k)
     memcpy(written, untouched, sizeof written);
 }
 
-/* One argument in each way that its kind has. */
+/* Breaks one argument in each way that its kind has. */
 static void refuses_argument(const struct call *c, int k)
 {
     const argument *const a = &c->arguments[k];
@@ -335,7 +336,7 @@ static void refuses_argument(const struct call *c, int k)
     if (a->kind == RIGID_) refuses_matrices(c, k);
 }
 
-/* All of them. What is right is taken, unless it is too little for a result. */
+/* Breaks every argument of every call. Valid arguments are accepted. */
 void arguments_refused(void)
 {
     const char *why = "";

@@ -1,36 +1,36 @@
-/* capture.c - what the kit draws, as files: a method's chain, all that its steps read, and the picture, for tests that
-   draw the same through another API.
+/* capture.c - writes a method's chain, all inputs of its steps and its picture as files, for tests that draw the same
+   with another API.
 
       build/capture FOLDER SCENE METHOD [set K=V,..] [frames N] [env NAME] [light TEXT] [size WxH]
 
-   N frames are drawn one after another, the camera turning by a degree each time (1). Lit methods have env sky unless
-   one or a light is given. Makes FOLDER, with
+   Draws N frames (1) one after another, and turns the camera by a degree after each. Lit methods have env sky unless
+   an env or a light is given. Makes FOLDER, with
 
-      N-PASS.vulkan.vert ..   texts of step N, from 1; examples/tools/glsl/translate.sh FOLDER spv (wgsl) brings others
-      manifest.json           as make glsl writes it, of one chain, chains[0], which is named for the method
-      capture.json            what its steps read, and what comes out
-      N.bin                   data that this names by N: little-endian, no header, equal data once
+      N-PASS.vulkan.vert ..   texts of step N, from 1; examples/tools/glsl/translate.sh FOLDER spv (wgsl) adds others
+      manifest.json           as make glsl writes it, with one chain, chains[0], which has the method's name
+      capture.json            the inputs of its steps, and the results
+      N.bin                   the data with number N: little-endian, no header, equal data once
 
    capture.json:
       width, height      of the picture
-      textures           what is read or compared: data (a number); format, vulkan, webgpu (names and VkFormat's number
-                         of R32F RG32F RGBA32F R32UI RG32UI RGBA32UI), bytes of a texel, width, height, layers (0: 2D,
-                         else an array of so many; layer after layer, rows bottom-up as GL has them, none padded).
-                         Values of narrower formats and of depth are floats here, exactly
-      frames             in their order. The steps' textures begin as 0; after each frame the two of one that is kept
-                         change places
+      textures           inputs and results: data (a number); format, vulkan, webgpu (names and VkFormat's number of
+                         R32F RG32F RGBA32F R32UI RG32UI RGBA32UI), bytes of a texel, width, height, layers (0: 2D,
+                         else an array of so many; layer after layer, rows bottom-up as GL has them, without padding).
+                         Values of narrower formats and of depth are stored as floats, exactly
+      frames             in their order. The steps' textures begin as 0. After each frame the two textures of a kept
+                         output change places
         draws            how often all steps are drawn, one after another (kept ones change places after the last)
-        surfels          null, or data, stride in bytes and count of the instances' vertex buffer: as many vec4
-                         attributes, one after another, as the step's rows name
-        steps            one each of the chain's:
-          width, height  of what it draws into, all of which is the viewport
+        surfels          null; or data, stride in bytes and count of the instances' vertex buffer, which has one vec4
+                         attribute after another, as the step's rows name them
+        steps            one for each of the chain's:
+          width, height  of its targets, all of which is the viewport
           frame          data of the block ssgi_frame, binding 0
           instances      how many to draw
-          yours          numbers in textures, an entry each of the step's inputs; -1: one that the steps write
-        results          texture: a number in the chain's textures; is: a number in this file's: what it then holds
+          yours          for each of the step's inputs a number in textures; -1: a step writes it
+        results          texture: a number in the chain's textures; is: the number in this file of its expected values
 
-   Targets have the formats that manifest.json says. What cannot be told so is refused: extra cameras, margins, patches;
-   of surfels that pass surfels makes, the result is there in place of the pass. */
+   Targets have the formats of manifest.json. A capture cannot hold extra cameras, margins and patches; these are
+   refused. The surfels that pass surfels makes are stored in place of that pass. */
 #include "kit/kit_run.h"
 #include "tools/glsl/manifest.h"
 #include <errno.h>
@@ -48,16 +48,16 @@ typedef struct options {
 static struct {
     uint64_t hash[MOST_DATA]; /* of each piece of data */
     int pieces;
-    char *line[MOST_TEXTURES]; /* of capture.json's textures */
+    char *line[MOST_TEXTURES]; /* entries of textures in capture.json */
     int textures;
-    GLuint made[MOST_TEXTURES]; /* textures that the steps write, by their numbers; of kept ones both */
+    GLuint made[MOST_TEXTURES]; /* textures that the steps write, by their numbers; both of a kept output */
     GLuint last[MOST_TEXTURES];
     int writes;
 } all;
 
-/* ---- what is written --------------------------------------------------------------------------------------------- */
+/* ---- writing ----------------------------------------------------------------------------------------------------- */
 
-/* The number of a piece of data, or -1. */
+/* Writes data once, and returns its number, or -1. */
 static int put_data(const options *o, const void *data, size_t size, kit_error *err)
 {
     const uint64_t hash = kit_hash(kit_hash(KIT_HASH, &size, sizeof size), data, size);
@@ -71,7 +71,7 @@ static int put_data(const options *o, const void *data, size_t size, kit_error *
     return kit_file_write(path, data, size, err) ? -1 : i;
 }
 
-/* The texels of a texture, 4 bytes a component. */
+/* Reads the texels of a texture, 4 bytes a component. */
 static void *texels_of(GLuint texture, GLenum target, const GLint size[3], int components)
 {
     const size_t slice = (size_t)size[0] * (size_t)size[1] * (size_t)components;
@@ -85,7 +85,7 @@ static void *texels_of(GLuint texture, GLenum target, const GLint size[3], int c
     return NULL;
 }
 
-/* The number of a texture among capture.json's, or -1. */
+/* Writes a texture to capture.json once, and returns its number, or -1. */
 static int put_texture(const options *o, GLuint texture, GLenum target, const char *name, kit_error *err)
 {
     static const struct {
@@ -130,7 +130,7 @@ static int put_texture(const options *o, GLuint texture, GLenum target, const ch
     return all.textures++;
 }
 
-/* The texts of a step, and their files' names, which live as long as the program. */
+/* Writes the shaders of a step. Their files' names live as long as the program. */
 static int put_texts(const options *o, const ssgi_gl_desc *d, int number, const char *files[SSGI_GL_STAGES],
                      kit_error *err)
 {
@@ -155,12 +155,12 @@ static int put_texts(const options *o, const ssgi_gl_desc *d, int number, const 
 
 /* ---- a run as a chain -------------------------------------------------------------------------------------------- */
 
-/* Those that an embedder would draw. */
+/* Whether an embedder would draw the pass. */
 static int is_captured(const kit_pass *p) { return !p->aside && p->desc.pass != SSGI_GL_PASS_SURFELS; }
 
 static GLuint written(const kit_pass *p, int output)
 {
-    return p->step->output[output].slices ? p->slices : p->target[output];
+    return p->step->output[output].layers ? p->slices : p->target[output];
 }
 
 static int number_of(const GLuint *textures, GLuint texture)
@@ -170,7 +170,7 @@ static int number_of(const GLuint *textures, GLuint texture)
     return -1;
 }
 
-/* What the run's steps write, numbered from 0: several chains of it are one here. */
+/* Numbers the textures that the run's steps write, from 0. A run of several chains is written as one chain. */
 static void number_textures(const kit_run *run)
 {
     all.writes = 0;
@@ -183,7 +183,7 @@ static void number_textures(const kit_run *run)
         }
 }
 
-/* A pass's step in Vulkan's GLSL, its textures by those numbers. */
+/* A pass's step in Vulkan's GLSL, with textures by these numbers. */
 static ssgi_gl_step step_of(const kit_pass *p)
 {
     ssgi_gl_step s = *p->step;
@@ -202,7 +202,7 @@ static ssgi_gl_step step_of(const kit_pass *p)
     return s;
 }
 
-/* pass: the one that the method is named for */
+/* pass: the one with the method's name */
 static int put_chain(const options *o, const kit_run *run, int pass, kit_error *err)
 {
     static ssgi_gl_step steps[KIT_MAX_PASSES];
@@ -268,7 +268,7 @@ static int put_surfels(FILE *f, const options *o, const kit_run *run, kit_error 
     return data < 0 ? -1 : 0;
 }
 
-/* A frame that was drawn. */
+/* Draws a frame and writes it. */
 static int put_frame(FILE *f, const options *o, kit_run *run, int draws, kit_error *err)
 {
     const GLuint results[2] = { run->light, run->bounce };
@@ -289,7 +289,7 @@ static int put_frame(FILE *f, const options *o, kit_run *run, int draws, kit_err
     between = "";
     for (int k = 0; k < 2 && !failed; ++k) {
         const int texture = results[k] ? number_of(all.made, results[k]) : -1;
-        if (texture < 0) continue; /* none, or aside: told apart from another result by a pass more */
+        if (texture < 0) continue; /* no texture, or one to which a later pass adds */
         const int is = put_texture(o, results[k], GL_TEXTURE_2D, "result", err);
         failed = is < 0;
         fprintf(f, "%s{ \"texture\": %d, \"is\": %d }", between, texture, is);

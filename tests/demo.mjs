@@ -1,4 +1,4 @@
-/* demo.mjs - make demo-test: the page that make demo wrote, as it opens, at a desk and on a phone. */
+/* demo.mjs - make demo-test: the page of make demo, opened in a wide window and on a phone. */
 import { check, end, launch, note, run, serve } from './web-kit.mjs';
 
 const browser = await launch(), root = await serve('report');
@@ -14,8 +14,22 @@ async function open(width, height, hash = '') {
     return page;
 }
 
-await run('the first screen has a picture of each method beside its truth, and tells when to take which', async () => {
+await run("the page opens with README's pictures, each of its own shape and whole on the first screen", async () => {
+    for (const [width, height] of [[1280, 720], [390, 844]]) {
+        const page = await open(width, height);
+        const seen = await page.$$eval('main > details:first-child[open] img', all => all.map(i => ({
+            whole: i.complete && i.naturalWidth === +i.getAttribute('width')
+                   && i.naturalHeight === +i.getAttribute('height'),
+            below: i.getBoundingClientRect().bottom })));
+        await page.close();
+        check(seen.length === 3 && seen.every(i => i.whole), `${width}: ${JSON.stringify(seen)}`);
+        check(width < 800 || seen.every(i => i.below <= height), `${width}: ${JSON.stringify(seen)}`);
+    }
+});
+
+await run('beneath them a screen has a picture of each method beside its truth, and tells when to take which', async () => {
     const page = await open(1280, 800);
+    await page.click('main > details:first-child summary');
     const seen = await page.evaluate(() => {
         const below = selector => [...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect().bottom);
         return { pictures: below('.methods img'), table: below('.when tr'), height: document.body.scrollHeight,
@@ -57,7 +71,7 @@ await run('other pages are reached from it and lead back; one that is not there 
     const text = await page.$eval('main', e => e.innerText);
     for (const name of ['seeds', 'stability', 'papers'])
         check(await page.$(`nav a[href='#${name}']`) || text.includes(`make ${name}`), name);
-    const there = of => page.waitForSelector(of, { timeout: 5000 });        /* a click's address is followed later */
+    const there = of => page.waitForSelector(of, { timeout: 5000 });        /* the page follows the address later */
     const click = of => page.locator(of).setTimeout(5000).click();          /* waits until the element stands still */
     await click("nav a[href='#chart']");
     await click("a[href='#chart/another']");

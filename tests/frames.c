@@ -1,4 +1,4 @@
-/* frames.c - pictures of known geometry, and runs on them: see frames.h. */
+/* frames.c - pictures of known geometry, and runs on them. Declared in frames.h. */
 #include "t.h"
 #include "frames.h"
 
@@ -100,7 +100,7 @@ int row_at(double c) { return SPAN + 16 - (int)(c * SPAN); }
 kit_camera corner_planes(double plane[2][4], double c, double behind)
 {
     kit_camera camera = looking_along_z(WIDE, HIGH, 1);
-    /* view y of the edge */
+    /* the view's y of the edge between floor and wall */
     const double r = sqrt(0.5), pixel = r / SPAN, edge = (row_at(c) + 0.5 - 0.5 * HIGH) * pixel + c * r;
     const double n[2][4] = { { 0, r, r, r * (edge - 4) }, { 0, -r, r, r * (-edge - 4) - behind } };
     memcpy(plane, n, sizeof n);
@@ -113,7 +113,7 @@ double row_of(kit_run *run, kit_gbuffer *g, int row, int phases)
     double sum = 0;
     float line[COLUMNS];
     turn(run, g);
-    --run->passes;                                         /* what the last pass reads is drawn whole */
+    --run->passes;                                         /* the last pass is drawn in part, its inputs whole */
     kit_run_update(run);
     kit_run_draw(run, 0);
     ++run->passes;
@@ -136,7 +136,7 @@ int lighten(kit_lighting *l, const char *env, const char *light)
     if (light && !TRY(kit_light_parse(&l->light[l->lights++], light, NULL, &err))) return 0;
     if (!env) return 1;
     if (strcmp(env, "white")) return TRY(kit_env_read(&l->env, env, &err));
-    /* of coarser ones harmonics see the rows */
+    /* harmonics would notice the rows of a coarser map */
     if (!TRY(kit_image_new(&l->env, 512, 256, "R,G,B", &err))) return 0;
     for (int i = 0; i < 3 * 512 * 256; ++i) l->env.data[i] = 1;
     return 1;
@@ -180,7 +180,7 @@ int open_run(kit_run *run, kit_gbuffer *g, const char *method, const char *set, 
                  "%s %s: %s", method, set, err.text);
 }
 
-/* 33 samples: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
+/* 33 samples: Mesa unrolls loops of up to 32, and then takes long to compile them. */
 int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
           const kit_lighting *lighting)
 {

@@ -1,4 +1,4 @@
-/* frames.h - pictures of known geometry, and runs on them, that the tests of GL share. */
+/* frames.h - pictures of known geometry, and runs on them, shared by the tests that draw. */
 #ifndef FRAMES_H
 #define FRAMES_H
 #include "kit/kit_gl.h"
@@ -7,11 +7,11 @@
 #include <string.h>
 
 #define ROWS(table) ((int)(sizeof(table) / sizeof *(table)))
-/* A check that notes what it found where it holds, too. */
+/* A check that also prints its message as a note if it holds. */
 #define SHOW(condition, ...) \
     t_is((condition) ? t_note(__VA_ARGS__), 1 : t_check(__FILE__, __LINE__, __VA_ARGS__))
 
-/* A unit vector, evenly over the sphere. */
+/* A random unit vector, evenly distributed over the sphere. */
 static inline void direction(float d[3])
 {
     const float z = t_uniform(-1, 1), r = sqrtf(1 - z * z), a = t_uniform(0, 6.28318531f);
@@ -20,7 +20,7 @@ static inline void direction(float d[3])
     d[2] = z;
 }
 
-/* A texel of pass thickness, as ssgi_measured_texel reads it: view depths of a 2x2, thicknesses in radii / 63. */
+/* Packs a texel of pass thickness for ssgi_measured_texel: view depths of a 2x2, thicknesses in radii / 63. */
 static inline void pack_measured(uint32_t texel[4], const float z[4], const unsigned thickness[4], int orthographic)
 {
     float first = z[0];
@@ -35,7 +35,7 @@ static inline void pack_measured(uint32_t texel[4], const float z[4], const unsi
     }
 }
 
-/* Reads pixel i of it: its view depth, and its thickness. */
+/* Reads pixel i of such a texel: returns its view depth, and its thickness. */
 static inline float unpack_measured(unsigned *thickness, const uint32_t texel[4], int i, int orthographic)
 {
     const uint32_t first = (texel[1] >> 6 & 3) | (texel[2] >> 6 & 3) << 2 | (texel[3] >> 6 & 3) << 4,
@@ -48,60 +48,60 @@ static inline float unpack_measured(unsigned *thickness, const uint32_t texel[4]
 }
 
 kit_camera looking_along_z(int width, int height, int orthographic);
-/* the view of a camera, perhaps upside down */
+/* the view of a camera; flipped: upside down */
 int        view_of(ssgi_view *view, const kit_camera *c, int flipped);
-/* The exact picture, channels Z, N.X, N.Y, N.Z and those of more ("" or ",direct.R,..", zero), of the space that planes
-   x * n = n[3] enclose, from within. */
+/* The exact picture of the space that planes x * n = n[3] enclose, from within. Channels: Z, N.X, N.Y, N.Z and those of
+   more ("" or ",direct.R,..", which are 0). */
 int        planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more);
-int        flat(const kit_image *frame, int x, int y);          /* nothing but surface within 3 pixels */
+int        flat(const kit_image *frame, int x, int y);          /* only surface within 3 pixels */
 /* planes_seen, and a G-buffer of that frame */
 int        walls(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes,
                  const char *more);
-void       turn(kit_run *run, kit_gbuffer *g);                  /* to another G-buffer of the same size */
-/* Gives the targets of a pass, but for slices of arrays, another size; data: what they hold, NULL = anything. */
+void       turn(kit_run *run, kit_gbuffer *g);                  /* sets another G-buffer of the same size */
+/* Gives a pass targets of another size, except layers of arrays. data: their contents, NULL = any. */
 void       resize(kit_pass *p, int width, int height, const float *data);
 
-/* Floor and wall from 45 degrees above, orthographic; radius 1 is SPAN pixels down the floor, up the wall, and sqrt(2)
-   times as many sideways and in front of the wall, where what stands behind it is seen. The floor at distance c from
-   the wall is seen through the very centre of row row_at(c). What is drawn is cut to a row of the columns in the
-   middle. */
+/* Floor and wall, seen orthographically from 45 degrees above. A radius of 1 is SPAN pixels down the floor and up the
+   wall; it is sqrt(2) times as many sideways and in front of the wall, where the surface behind it is seen. Row
+   row_at(c) shows at its centre the floor at distance c from the wall. Drawing is cut to the middle columns of one
+   row. */
 enum { SPAN = 128, MIDDLE = 182, COLUMNS = 64, WIDE = 2 * MIDDLE + COLUMNS, HIGH = SPAN + 16 + MIDDLE };
 int        row_at(double c);
-/* floor, wall; that one moved away by behind */
+/* planes of floor and wall; the wall is moved away by behind */
 kit_camera corner_planes(double plane[2][4], double c, double behind);
-/* the mean of the last pass's first channel over the middle columns of a row, over phases */
+/* the mean over phases of the last pass's first channel, in the middle columns of a row */
 double     row_of(kit_run *run, kit_gbuffer *g, int row, int phases);
-double     linear_corner(double c), hard_corner(double c);      /* occlusion at distance c radii */
+double     linear_corner(double c), hard_corner(double c);      /* occlusion at distance c, in radii */
 
 /* ---- scenes and light; all return whether it went well */
 
 typedef struct box { float lower[3], upper[3]; } box;
-/* env: "white", which is 1 everywhere, or what kit_env_read takes; light: what kit_light_parse takes; NULL = none */
+/* env: "white", which is 1 everywhere, or a name for kit_env_read; light: words for kit_light_parse; NULL = none */
 int        lighten(kit_lighting *l, const char *env, const char *light);
-/* A built-in scene with boxes added, and its G-buffer; camera NULL: the scene's own. */
+/* A built-in scene with added boxes, and its G-buffer; camera NULL: the scene's own. */
 int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera,
         int width, int height);
-/* A built-in scene, its light, and what is seen of it: by its own camera where that is NULL. */
+/* A built-in scene, its light and its G-buffer; camera NULL: the scene's own. */
 typedef struct scenery { kit_scene scene; kit_lighting light; kit_gbuffer g; } scenery;
 int        set_scene(scenery *s, const char *name, const kit_camera *camera, const char *env, const char *light,
                      int width, int height);
 void       strike(scenery *s);
-/* The corner with a slab of this thickness for a wall, layers of it: its face, its back, and the face of a wall without
-   end, gap behind it. */
+/* The corner, with a slab of this thickness as its wall, as layers: the slab's face, its back, and the face of an
+   endless wall at gap behind it. */
 int        slab(kit_gbuffer *g, double c, double thickness, double gap, int layers);
-/* A run of a method as the kit has it, but for what is set. */
+/* A run of a method at the kit's defaults, except for the settings of set. */
 int open_run(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
              const kit_lighting *lighting);
-/* A method of light: 33 directions of one point, unfiltered, harmonics as published, unless set says otherwise; its
-   picture; both at once. */
+/* begin: a method of light with 33 directions of one point, unfiltered, harmonics as published, except for set. drawn:
+   its picture. The third does both. */
 int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
           const kit_lighting *lighting);
 int        drawn(kit_image *out, kit_run *run);
 int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
         const kit_lighting *lighting);
 double     mean(const kit_image *image, const char *channel);
-/* 16 coefficients of the clamped cosine about a normal, which is what an open plane gets; what they make of light
-   [3*i + c] of so many bands: irradiance over pi. */
+/* open_vector: 16 coefficients of the clamped cosine about a normal, which an open plane has. The other: the light [3*i
+   + c] of so many bands that such coefficients give, as irradiance over pi. */
 void       open_vector(double v[16], const double n[3]);
 double     met(const double v[16], const float *light, int c, int bands);
 /* RMSE between the first channels */

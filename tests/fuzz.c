@@ -1,5 +1,5 @@
-/* fuzz.c - random bytes as descs, chains, projections, cameras, environments, harmonics, lights, triangles, surfels,
-   fields and plans. One entry for libFuzzer, and a main that makes the bytes itself.
+/* fuzz.c - calls the library with random bytes as descs, chains, projections, cameras, environments, harmonics, lights,
+   triangles, surfels, fields and plans. Has an entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
      cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
@@ -25,8 +25,8 @@ enum { FIELDS = (int)(sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]), CODE 
        FLAGS = (int)((sizeof(ssgi_gl_chain) - offsetof(ssgi_gl_chain, blur)) / sizeof(int)),
        CHAIN = 2 * FIELDS + FLAGS + 2 };    /* bytes of a chain */
 
-/* A step's input is a texture of yours, or one that an earlier step wrote, or one of this frame's as the last frame
-   left it; no step reads what it writes. */
+/* A step's input is one of the program's own textures, one that an earlier step wrote, or one of this frame's textures
+   as the last frame left it. No step reads a texture that it writes. */
 static void inputs(const ssgi_gl_step *step, int count, int i)
 {
     for (int k = 0; k < step[i].inputs; ++k) {
@@ -48,7 +48,7 @@ static void inputs(const ssgi_gl_step *step, int count, int i)
     }
 }
 
-/* What blur puts back, what it filters went without. */
+/* Blur must restore exactly the light that the step which wrote its input has left out. */
 static void restored(const ssgi_gl_step *step, int i)
 {
     const ssgi_gl_desc blur = ssgi_gl_resolve(&step[i].desc);
@@ -72,7 +72,7 @@ static void restored(const ssgi_gl_step *step, int i)
         }
 }
 
-/* The ints of a desc, a byte each: one that the field may have, or what the byte says. */
+/* Sets the ints of a desc from one byte each. */
 static void fill(ssgi_gl_desc *d, const uint8_t *data)
 {
     memset(d, 0, sizeof *d);
@@ -83,8 +83,8 @@ static void fill(ssgi_gl_desc *d, const uint8_t *data)
     d->shader.fetch = " ";
 }
 
-/* A chain of two descs and flags: either refused with a sentence, or every step can be drawn and there is one result:
-   ambient visibility or light, with a bounce beside it or alone; or your picture. */
+/* A chain of two descs and flags. It is refused with a sentence, or every step can be drawn and there is one result:
+   ambient visibility or light, perhaps with a bounce, a bounce alone, or your picture. */
 static void chains(const uint8_t *data)
 {
     ssgi_gl_chain chain;
@@ -109,7 +109,7 @@ static void chains(const uint8_t *data)
     for (int i = 0; i < room; ++i) {
         MUST(ssgi_gl_check(&step[i].desc, NULL) == SSGI_OK && step[i].width > 0 && step[i].height > 0);
         if (room == n) inputs(step, n, i);
-        /* surfels multiply by what slices keep of light: nothing is put back */
+        /* surfels multiply by the light that slices left, so nothing is restored */
         if (room == n && chain.desc.pass != SSGI_GL_PASS_DSS) restored(step, i);
         for (int k = 0; k < step[i].outputs; ++k) {
             const ssgi_gl_output *o = &step[i].output[k];
@@ -124,8 +124,7 @@ static void chains(const uint8_t *data)
     free(step);
 }
 
-/* The desc's ints from a signed byte each, then its texts. One accepted desc in eight is emitted: the rest stay
-   cheap. */
+/* Sets the ints of a desc from a signed byte each, and its texts. Emits one accepted desc in eight, to save time. */
 static void descs(const uint8_t *data, size_t size)
 {
     static char text[MOST];
@@ -160,13 +159,13 @@ static void descs(const uint8_t *data, size_t size)
     if (sum % 8) return;
     size_t n = 0;
     int stage = (int)(sum / 8 % SSGI_GL_STAGES);
-    for (int tries = 0; tries < SSGI_GL_STAGES && !n; ++tries) {    /* not all passes have all */
+    for (int tries = 0; tries < SSGI_GL_STAGES && !n; ++tries) {    /* not all passes have all stages */
         stage = (stage + 1) % SSGI_GL_STAGES;
         n = ssgi_gl_emit(text, sizeof text, &d, stage);
     }
     MUST(n > 60 && n < sizeof text && strlen(text) == n && ssgi_gl_key(&d));
     const size_t room = sum * 97 % (n + 2);
-    /* ends where the room ends, so that a sanitizer sees a byte too far */
+    /* ends at the end of the room, so that a sanitizer sees a byte too many */
     char *exact = (char *)malloc(room + 1);
     if (exact) MUST(ssgi_gl_emit(exact + 1, room, &d, stage) == n && (!room || !exact[room]));
     free(exact);
@@ -178,12 +177,12 @@ static int all_finite(const float *f, size_t count)
     return !count;
 }
 
-/* Floats as harmonics, lights and skies; [3*i + c] in sh, finite. */
+/* Random floats as harmonics, lights and skies; sh is [3*i + c], and finite. */
 static void harmonics(float *sh, int bands, const float *f, size_t count)
 {
     float out[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], turned[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS],
         window[SSGI_SH_MAX_BANDS];
-    const int any = (int)(count * 7 % 17) - 5;             /* bands: what is too much or too little is limited */
+    const int any = (int)(count * 7 % 17) - 5;             /* also numbers that the library limits */
     const char *why = NULL;
     ssgi_sh_basis(out, any, f);
     ssgi_sh_window(window, any, any);
@@ -198,7 +197,7 @@ static void harmonics(float *sh, int bands, const float *f, size_t count)
     MUST(all_finite(sh, (size_t)(3 * bands * bands)));
 }
 
-/* Pictures of random size as environments, pixels as a reflective shadow map. */
+/* Pictures of random size as environments, and their pixels as a reflective shadow map. */
 static void pictures(const float *f, size_t count)
 {
     const size_t pixels = count / 3, width = 1 + (size_t)fabsf(isfinite(f[0]) ? fmodf(f[0], 16) : 3) % pixels,
@@ -217,7 +216,7 @@ static void pictures(const float *f, size_t count)
          && !strncmp(why, "height:", 7));
     MUST(ssgi_environment_suns(sun, many, f, (int)width, (int)height, &why) == SSGI_OK);
     for (int i = 0; i < many; ++i) MUST(all_finite(sun[i].irradiance, 3) && all_finite(sun[i].direction, 3));
-    if (count > 64 && count % 16 == 9) {                   /* takes long */
+    if (count > 64 && count % 16 == 9) {                   /* this takes long */
         MUST(ssgi_environment_map(map, 8, f, (int)width, (int)height, fabsf(f[1]) < 10.0f ? fabsf(f[1]) : 0.0f, &why)
                  == SSGI_OK
              && all_finite(map, 3 * 8 * 8));
@@ -241,7 +240,7 @@ static void pictures(const float *f, size_t count)
     }
 }
 
-/* An extra camera of whatever matrix and bounds; extra and light cameras of whatever two matrices. */
+/* An extra camera of any matrix and bounds; extra and light cameras of any two matrices. */
 static void cameras(const float *f, size_t count, const ssgi_view *view)
 {
     const float *last = f + count - 16, turn[16] = { 1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, f[12], f[13], f[14], 1 };
@@ -251,7 +250,7 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     ssgi_gl_light light;
     const char *why = NULL;
     ssgi_extra_displacement(displacement, (int)(count % 4));
-    for (int k = 0; k < 2; ++k) {                          /* hardly ever rigid; always, but for its translation */
+    for (int k = 0; k < 2; ++k) {                          /* 0: hardly ever rigid; 1: rigid */
         if (ssgi_extra_camera(to, projection, k ? turn : f, f + 3, last[5], k && count % 2 ? displacement : last, &why)
             != SSGI_OK)
             MUST(strchr(why, ':'));
@@ -265,7 +264,7 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     else MUST(ssgi_gl_light_map(&light, view, 1, 2, f, last, NULL) == SSGI_OK && light.tile[1] == 2.0f);
 }
 
-/* Surfels of few triangles, wherever they lie and however they are moved, and what splatting them would cost. */
+/* Surfels of a few triangles, anywhere and moved in any way, and the predicted cost of splatting them. */
 static void surfels(const float *f, size_t count, const ssgi_view *view)
 {
     static const float still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
@@ -310,8 +309,7 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     if (ssgi_gl_surfels_set(&frame, view, &d, source.to_view, &why) != SSGI_OK) MUST(strchr(why, ':'));
 }
 
-/* Bakes of whatever triangles: few, they take long. What is baked is saved, damaged with a checksum that fits, and
-   loaded. */
+/* Bakes of a few random triangles. The bake is saved, damaged (with a checksum that fits) and loaded. */
 static void fields(const float *f, size_t count, const uint8_t *data, size_t size)
 {
     static uint32_t texels[6 * 4 * 4 * 2];
@@ -469,7 +467,7 @@ static uint8_t legal(size_t field, uint32_t *state)
     return (uint8_t)(next(state) % ((uint32_t)ssgi_gl__fields[field].choice.most + 1u));
 }
 
-/* A chain most of whose fields have their default. */
+/* A chain whose fields mostly have their default. */
 static void random_chain(uint8_t bytes[CHAIN], uint32_t *state)
 {
     static const uint8_t passes[] = { SSGI_GL_PASS_SSAO,  SSGI_GL_PASS_HSAO, SSGI_GL_PASS_SSDO, SSGI_GL_PASS_SSDO,
@@ -494,13 +492,13 @@ int main(int argc, char **argv)
             LLVMFuzzerTestOneInput(bytes, CHAIN);
             continue;
         }
-        /* most inputs: a desc that is right but for a byte or none */
+        /* most inputs are a valid desc with at most one wrong byte */
         size_t size = FIELDS + next(&state) % CODE, k;
         if (i % 32 == 0) size = next(&state) % (sizeof bytes + 1);
         for (k = 0; k < size; ++k)
             bytes[k] = k < FIELDS && i % 32 ? legal(k, &state) : (uint8_t)next(&state);
         if (i % 3 == 0) bytes[next(&state) % FIELDS] = (uint8_t)next(&state);
-        /* floats of a size that means something, and a projection */
+        /* floats of a sensible size, and a projection */
         if (i % 64 == 0)
             for (k = 0; 4 * k + 4 <= size; ++k) {
                 float x = k < 16 && i % 128 == 0 ? plain[k] : ((float)next(&state) - 8e6f) * (i % 5 ? 1e-6f : 1e24f);

@@ -1,11 +1,11 @@
-/* fuzz_files.c - damaged pictures, under the sanitizers: EXR files as the kit writes them and as others do (every
-   compression, rows and tiles), and Radiance's, with bytes changed, taken out, doubled, exchanged with other files'.
+/* fuzz_files.c - reads damaged pictures under the sanitizers: EXR files by the kit and by OpenEXR (every compression,
+   rows and tiles), and Radiance files, with bytes changed, taken out, doubled, or exchanged with another file's.
 
      build/fuzz-files 600 [seed]           for so many seconds
      build/fuzz-files 5000x [seed]         so many of them
 
-   Each is read, or refused in a sentence that names it, with the picture untouched, in seconds. If not: status 1, and
-   the picture stays in its folder. */
+   Each is read within seconds, or refused in a sentence that names it, and then the picture is untouched. If not:
+   status 1, and the damaged file stays in its folder. */
 #include "kit/kit.h"
 #include "others.h"
 
@@ -47,13 +47,13 @@ static void keep(int hdr)
     sample[samples++].hdr = hdr;
 }
 
-/* Smooth to the left, noise to the right: chunks that are packed, and some that are not. */
+/* Smooth in the left half, noise in the right: some chunks compress, and some do not. */
 static float texel(int i, int width)
 {
     return i % width < width / 2 ? (float)(i / width) / 8 : (float)random_below(1u << 24) / 65536;
 }
 
-/* orthographic: 0, 1; below 0: without a camera */
+/* orthographic: 0, 1; below 0: the header has no camera */
 static void by_the_kit(int width, int height, const char *names, int orthographic)
 {
     const kit_header header = { .has = orthographic < 0 ? 0 : KIT_HEADER_ALL, .orthographic = orthographic, .height = 2,
@@ -77,7 +77,7 @@ static void by_others(int width, int height, int compression, int tile)
     keep(0);
 }
 
-/* Flat rows, or each of the four in runs of three. */
+/* Rows without a code, or each of the four components in runs of three. */
 static void radiance(int width, int height, int coded)
 {
     static unsigned char bytes[ROOM];
@@ -116,7 +116,7 @@ static void make_samples(void)
 
 /* ---- damage -------------------------------------------------------------------------------------------------- */
 
-/* A place in a file: half of them in its first bytes, where the header is. */
+/* A place in a file. Half of them are in its first bytes, where the header is. */
 static size_t place(size_t size)
 {
     const size_t head = size < 600 ? size : 600;
@@ -138,7 +138,7 @@ static size_t damage(unsigned char *data, size_t size)
     case 4:                                                                    /* taken out */
         memmove(data + at, data + at + here, size - at - here);
         return size - here ? size - here : size;
-    default: {                                                                 /* another file's */
+    default: {                                                                 /* another file's bytes */
         const int other = (int)random_below((uint32_t)samples);
         const size_t from = place(sample[other].size), left = sample[other].size - from;
         memcpy(data + at, sample[other].data + from, here < left ? here : left);
@@ -155,7 +155,7 @@ static void too_long(int number)
     _exit(1);
 }
 
-/* A camera is one that can be drawn with, or a sentence. */
+/* A header's camera can be drawn with, or is refused with a sentence. */
 static void read_header(const char *now)
 {
     kit_header header = { .has = -7 };
@@ -176,7 +176,7 @@ static void read_header(const char *now)
     if (header.has & KIT_HEADER_RADIUS && !(header.radius > 0)) stop(now, "a radius that is none");
 }
 
-/* 1 when it was read. */
+/* Returns 1 if the picture was read. */
 static int read_one(int hdr)
 {
     kit_image image = { .width = -7 };

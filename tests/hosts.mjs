@@ -1,5 +1,5 @@
-/* hosts.mjs - what Chromium without a window shows of pages of examples/hosts, once its size has changed; prints what
-   the consoles say that is wrong. For hosts.sh, from the repository's root.
+/* hosts.mjs - pictures of pages of examples/hosts in Chromium without a window, after their size has changed. Prints
+   the errors of their consoles. For hosts.sh, from the repository's root.
       node tests/hosts.mjs FOLDER PAGE PICTURE.png .. */
 import { launch, serve, withWebgpu } from './web-kit.mjs';
 
@@ -9,7 +9,7 @@ const said = [];
 for (let i = 0; i + 1 < pairs.length; i += 2) {
     const page = await browser.newPage(), [address, path] = pairs.slice(i, i + 2);
     page.on('console', m => {
-        if (/GPU stall due to ReadPixels/.test(m.text())) return;      /* tests read much */
+        if (/GPU stall due to ReadPixels/.test(m.text())) return;      /* tests read many pixels */
         if (['error', 'warn', 'warning'].includes(m.type())) said.push(m.text());
     });
     page.on('pageerror', e => said.push(e.message));

@@ -1,18 +1,18 @@
 #!/bin/sh
-# hosts.sh - the pages of examples/hosts, built as their first comments say and run, under Xvfb or without a window:
+# hosts.sh - builds and runs the pages of examples/hosts as their first comments say, under Xvfb or without a window:
 #
 #   make hosts-test                  ONLY="glfw sdl": those
 #
-# All draw the same boxes from the same place. Where only ambient light falls on white boxes the picture is the ambient
-# visibility, which must be build/render's; what one sun alone lights must not be dimmed. Windows have changed their
-# size before a picture is taken. What cannot be run here is named as skipped.
+# All draw the same boxes with the same camera. In ambient light alone, on white boxes, the picture is the ambient
+# visibility, and must be build/render's. In sunlight alone nothing may be dimmed. Windows change their size before a
+# picture is taken. Hosts that cannot run here are named as skipped.
 work=build/hosts/test
 only=" $* "
 . tests/window.sh
 
 wanted() { [ "$only" = '  ' ] || [ "${only#* $1 }" != "$only" ]; }
 
-# build HOST PAGE FLAGS..: with every compiler that is there; the first one's program is the one that is run. 1: the
+# build HOST PAGE FLAGS..: builds with every compiler that is there, and keeps the first one's program. Returns 1 if
 # libraries are missing.
 build() {
     host=$1 compilers=
@@ -29,7 +29,7 @@ build() {
 }
 strict='-Wpedantic -Wconversion -Wshadow -Wdouble-promotion -std=c11'
 
-# sides HOST PICTURE.ppm: how many colours a sun makes of boxes that have six sides, and the background
+# sides HOST PICTURE.ppm: counts the colours of the background and of boxes with six sides in the sun.
 sides() {
     colours=$(tail -c +16 "$2" | od -An -v -w3 -tx1 | sort -u | wc -l)
     check "$1: $colours colours of sides in the sun alone: ambient light is dimmed, and no other" \
@@ -54,7 +54,7 @@ if wanted python; then
     fi
 fi
 
-# Pages for a browser, which take the package as npm installs it. in_browser HOST PACKAGE: whether one can be shown.
+# Browser pages, which use the package as npm installs it. in_browser HOST PACKAGE: whether such a page can run here.
 in_browser() {
     if ! [ -d build/hosts/node_modules/$2 ]; then skip "$1, npm could not install $2"
     elif ! [ -e build/npm/ssgi.wasm ]; then skip "$1, clang or wasm-ld is missing (apt-get install clang lld)"
@@ -68,7 +68,7 @@ in_browser() {
     fi
     return 1
 }
-# shown HOST FOLDER PAGE#HASH PICTURE.png ..
+# shown HOST FOLDER PAGE#HASH PICTURE.png ..: takes pictures
 shown() {
     host=$1
     shift
@@ -91,7 +91,7 @@ if wanted playcanvas && in_browser playcanvas playcanvas; then
     check "playcanvas: the pane changes it by $panes" "$(is "$panes > 0.1 && $panes < 0.2")"
 fi
 
-# by_vite HOST HASH..: builds it, whose graph must have no module of node's, and draws it with each of these.
+# by_vite HOST HASH..: bundles a page, which must import no module of node's, and draws it with each hash.
 by_vite() {
     page=$1
     shift
@@ -121,7 +121,7 @@ if wanted three && in_browser three vite; then
     done
 fi
 
-# Its rows run down, by which the dither's pattern is another one: two of those differ by more than two renderers.
+# Its rows run down, so the dither has another pattern: two such patterns differ by more than two renderers do.
 if wanted three-webgpu && in_browser three-webgpu vite; then
     by_vite three-webgpu white white,reversed white,history sun sun,none
     for of in white white,reversed white,history; do
@@ -133,8 +133,8 @@ if wanted three-webgpu && in_browser three-webgpu vite; then
         "$(cmp -s $work/three-webgpu-sun.png $work/three-webgpu-sun,none.png && echo 1)"
 fi
 
-# in_both_lights HOST NORMALS: a host of boxes.h under both lights; under the sky alone, beside build/render's with
-# those normals; in the sun alone.
+# in_both_lights HOST NORMALS: draws a host of boxes.h in sky and sun; in the sky alone, beside build/render's picture
+# with such normals; in the sun alone.
 in_both_lights() {
     $work/$1 $work/$1.ppm
     $work/$1 $work/$1-sky.ppm 0 1
@@ -145,7 +145,7 @@ in_both_lights() {
 
 open_window
 
-# Windows: a host, what pkg-config knows its libraries as, the normals of its pages, the packages.
+# Hosts with a window: name, libraries for pkg-config, normals of the host, Debian packages.
 while read -r host libraries normals packages; do
     if ! wanted $host; then continue
     elif ! pkg-config --exists $(echo $libraries | tr + ' '); then
@@ -165,7 +165,7 @@ sdl     sdl2+glesv2 depth   libsdl2-dev libgles-dev
 raylib  raylib      depth   libraylib-dev, from trixie on
 END
 
-# VTK's own occlusion is another one: it is drawn beside the pass. The pane is half green over all that it covers.
+# VTK's own occlusion differs, so it is drawn beside the pass. The pane is half green in front of all that it covers.
 if wanted vtk; then
     vtk=$(cd /usr/include && ls -d vtk-9* 2>/dev/null | sed -n '1s/vtk-//p')
     if [ -z "$vtk" ]; then skip 'vtk, VTK 9 is missing (apt-get install libvtk9-dev)'
@@ -182,7 +182,7 @@ if wanted vtk; then
     fi
 fi
 
-# Blender's frame as it is, and Cycles' own occlusion beside the truth of build/render.
+# Blender's frame, drawn by build/render, and Cycles' own occlusion beside the truth of build/render.
 if wanted blender; then
     if ! command -v blender >/dev/null; then skip 'blender, it is missing (apt-get install blender)'
     else

@@ -1,5 +1,5 @@
-/* leaks.c - rays from within closed meshes, at corners and edges and along faces: each must hit. Compiled by
-   test_build.c where compilers fuse multiply and add, with -ffast-math, and for another processor. */
+/* leaks.c - shoots rays from within closed meshes at corners and edges and along faces; each must hit. test_build.c
+   compiles it for processors that fuse multiply and add, and with -ffast-math. */
 #define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #include "../ssgi.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 enum { CELLS = 4, MOST = 6 * 2 * CELLS * CELLS * CELLS };
-enum { BALL, TORUS, SOLID, STRIPS, KINDS }; /* STRIPS: a ceiling, with rays from close by at its edges */
+enum { BALL, TORUS, SOLID, STRIPS, KINDS }; /* STRIPS: a ceiling, at whose edges rays are shot from near by */
 
 static uint32_t state = 1;
 
@@ -22,8 +22,8 @@ static double within(double low, double high) { return low + (high - low) * belo
 
 static float mesh[3 * MOST][3], vertex[300][3];
 static size_t corners;
-static double turn[3][3], size, start[3], stretch; /* where the mesh stands */
-static int filled[CELLS][CELLS][CELLS], cells; /* the first `cells` of each */
+static double turn[3][3], size, start[3], stretch; /* the mesh's place */
+static int filled[CELLS][CELLS][CELLS], cells; /* cells: how many a side */
 
 static void place(int kind)
 {
@@ -50,14 +50,15 @@ static void put(float out[3], const double p[3])
     for (int i = 0; i < 3; ++i) out[i] = (float)placed(i, p);
 }
 
-/* Two triangles, of four vertices around. Each vertex is placed once: -ffast-math may round it otherwise elsewhere. */
+/* Two triangles of four vertices in a circle. Each vertex is placed once: -ffast-math may round it otherwise
+   elsewhere. */
 static void quad(int a, int b, int c, int d)
 {
     const int way[2][6] = { { a, b, c, a, c, d }, { a, b, d, b, c, d } }, *const take = way[below(2)];
     for (int k = 0; k < 6; ++k) memcpy(mesh[corners++], vertex[take[k]], sizeof mesh[0]);
 }
 
-/* A ball, or a torus of radii 2 and 0.7. */
+/* A ball, or a torus with radii 2 and 0.7. */
 static void round_mesh(int kind, int rows, int columns)
 {
     for (int i = 0; i < (rows + 1) * columns; ++i) {
@@ -84,7 +85,7 @@ static int is_filled(const int c[3])
     return filled[c[0]][c[1]][c[2]];
 }
 
-/* The faces between cells that are filled and those that are not. */
+/* The faces between filled and empty cells. */
 static void solid(void)
 {
     enum { SIDE = CELLS + 1 };
@@ -104,7 +105,7 @@ static void solid(void)
     }
 }
 
-/* Strips of a ceiling, each 64 times as long as wide, or 6400 times. */
+/* A ceiling of strips, each 64 or 6400 times as long as wide. */
 static void strips(int count)
 {
     for (int i = 0; i < 2 * count + 2; ++i) {
@@ -114,8 +115,8 @@ static void strips(int count)
     for (int i = 0; i < 2 * count; i += 2) quad(i, i + 1, i + 3, i + 2);
 }
 
-/* Writes a point within the mesh, and one to aim at unless that is below -1e8: of strips, on an edge right above; of a
-   solid, now and then, in the plane of faces in which the point lies. Returns 0 if the point is outside after all. */
+/* Chooses a point in the mesh, and a target unless q stays below -1e8: for strips, on an edge right above; for a solid,
+   now and then, in the plane of faces that holds the point. Returns 0 if the point is outside after all. */
 static int from(float o[3], double q[3], int kind, int count)
 {
     const double angle = 0.78539816339744831 * below(8), away = pow(10, within(-3.5, -1)) / 32;
@@ -148,13 +149,13 @@ static int from(float o[3], double q[3], int kind, int count)
     return inside;
 }
 
-/* leaks 1000: so many meshes, of 200 rays each */
+/* "leaks 1000" makes so many meshes and shoots 200 rays in each */
 int main(int argc, char **argv)
 {
     const int count = argc > 1 ? atoi(argv[1]) : 1000;
     static const uint32_t bits[2] = { 0x7fc00000u, 0x7f800000u };
     long rays = 0, leaks = 0, odd = 0;
-    float none, endless; /* NaN and infinity, of which -ffast-math must not know */
+    float none, endless; /* NaN and infinity, by their bits, as -ffast-math assumes that there are none */
     memcpy(&none, &bits[0], sizeof none);
     memcpy(&endless, &bits[1], sizeof endless);
     for (int run = 0; run < count; ++run) {

@@ -1,5 +1,5 @@
-/* macros.h - what hosts define before they include ssgi: windows.h, X11, Apple, Qt, POSIX, Arduino and engines. The C
-   library comes first, as it does in a host, so that what is tested is ssgi's headers alone. */
+/* macros.h - macros that hosts define before they include ssgi: those of windows.h, X11, Apple, Qt, POSIX, Arduino and
+   engines. The C library comes first, as in a host, so that only ssgi's headers meet the macros. */
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* windows.h and what it includes */
+/* windows.h and the headers that it includes */
 #define near
 #define far
 #define NEAR near
@@ -101,7 +101,7 @@
 #define _A 1
 #define _R 2
 
-/* an engine's own settings, which are words of ours */
+/* words that an engine's own settings share with ours */
 #define WIDTH 8
 #define HEIGHT 8
 #define SIZE 8

@@ -1,6 +1,6 @@
-/* main.c - runs all tests; the last line is "N passed, N failed". Arguments name the groups to run, none = all. Each
-   group is a process of its own, as many at once as there are processors; what they print comes in order, each under
-   its name and the seconds of processor that it and what it started took. */
+/* main.c - runs all tests; the last line is "N passed, N failed". Arguments name groups to run; none = all. Each group
+   is a process, with as many at a time as processors. Their outputs come in order, each below the group's name and its
+   processor time, which includes programs that it started. */
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -14,7 +14,7 @@ enum { GROUPS = (int)(sizeof groups / sizeof groups[0]) };
 
 static struct { pid_t process; FILE *said; int answer[2], done; double seconds; } job[GROUPS];
 
-/* To the folder above build/, where this program lies: whatever folder and environment it is started in. */
+/* Changes to the folder above build/, where this program lies, from any folder and environment. */
 static int go_home(const char *program)
 {
     char *path = realpath(program, NULL), *end = path;
@@ -66,11 +66,11 @@ static void print(int g)
 int main(int argc, char **argv)
 {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    /* Mesa's software rasteriser spends its time on optimising shaders that draw a few small pictures; and in words of
-       4 floats a picture is the same on every processor. */
+    /* Mesa's software rasteriser would spend most of the time on optimising shaders that draw a few small pictures.
+       With vectors of 4 floats a picture is the same on every processor. */
     setenv("GALLIVM_PERF", "nopt", 0);
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
-    setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 0);     /* without one gcc does not find its own parts */
+    setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 0);     /* gcc finds its own parts by it */
     if (go_home(argv[0])) return fprintf(stderr, "test: %s: is not a path of build/test\n", argv[0]), 2;
     int running = 0, next = 0, shown = 0, wanted[GROUPS];
     double all = 0;

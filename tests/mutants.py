@@ -1,19 +1,19 @@
-"""make mutants: edits of the headers that are wrong, drawn by a seed; which test notices each.
+"""make mutants: makes wrong edits to the headers, drawn by a seed, and records which test notices each.
 
-    make mutants                    applies those of tests/mutants.txt and writes the verdicts anew
-    make mutants ONLY="3 17"        those alone; their verdicts are printed, the file stays
-    make mutants DRAW=100 SEED=50   draws that many and writes the file, without verdicts
+    make mutants                    tries the edits of tests/mutants.txt and writes their verdicts anew
+    make mutants ONLY="3 17"        tries these alone and prints their verdicts; the file stays
+    make mutants DRAW=100 SEED=50   draws so many edits and writes the file, without verdicts
 
-An edit is a search and a replacement of text that stands in its header once. It is applied to a copy of the tree, the
-objects that depend on it are compiled, and the groups of tests that examples/docs/CONTRIBUTING.md names for its room
-run until one fails. An edit whose text is no longer there counts as survived. One that changes nothing observable is
-struck by hand: its verdict begins with "struck:" and the reason, and stays. Two copies work at once.
+An edit replaces text that occurs once in its header. It is applied to a copy of the tree, the objects that depend on it
+are compiled, and the groups of tests that examples/docs/CONTRIBUTING.md names for its room run until one fails. An edit
+whose text is no longer there counts as survived. If an edit changes nothing observable, you strike it by hand: its
+verdict begins with "struck:" and the reason, and is kept. Two copies of the tree are used at once.
 """
 import os, random, re, shutil, subprocess, sys, threading, time
 
 LIST, COPIES = "tests/mutants.txt", "build/mutants"
 HEADERS = ("ssgi.h", "ssgi_gl.h")
-LIMIT = 240  # seconds: a test that an edit keeps from ending has noticed it
+LIMIT = 240  # seconds; an edit that keeps a test from ending counts as noticed
 
 
 def groups_of_rooms():
@@ -47,7 +47,7 @@ KINDS = {
 
 
 def lines_of(header):
-    """The lines that hold code: (number, text, room), without comments, prototypes, tables of words and sentences."""
+    """Lists lines of code as (number, text, room), without comments, prototypes and tables of words or sentences."""
     lines, code, room, inside = open(header).read().split("\n"), [], None, False
     glsl = False
     for i, line in enumerate(lines):
@@ -73,13 +73,13 @@ def lines_of(header):
 
 
 def code_part(line):
-    """How much of a line is code: no comment behind it."""
+    """How many characters of a line are before its comment."""
     ends = [line.index(mark) for mark in (" //", " /*") if mark in line]
     return min(ends) if ends else len(line)
 
 
 def unique(lines, whole, i):
-    """The line, with as many before it as make it the only such text; None: six do not."""
+    """The line, with so many lines before it that the text occurs once. None: six lines do not suffice."""
     for first in range(i, max(i - 6, -1), -1):
         text = "\n".join(lines[first:i + 1])
         if whole.count(text) == 1:
@@ -121,7 +121,7 @@ def draw(count, seed):
 
 
 def compiles(header, text):
-    """Whether the C compiles: the GLSL is the tests' to judge."""
+    """Whether the C compiles. The GLSL is left to the tests."""
     folder = COPIES + "/draw"
     os.makedirs(folder, exist_ok=True)
     for name in HEADERS:
@@ -167,7 +167,7 @@ def copy_tree(folder):
     os.makedirs(folder, exist_ok=True)
     files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], text=True,
                            stdout=subprocess.PIPE, check=True).stdout.split("\0")
-    for where, inside, names in os.walk(folder):       # files that the tree lost: the Makefile would take them
+    for where, inside, names in os.walk(folder):       # not in the tree any more: the Makefile would compile them
         inside[:] = [name for name in inside if os.path.join(where, name) != folder + "/build"]
         for name in names:
             if os.path.relpath(os.path.join(where, name), folder) not in files:
@@ -244,7 +244,7 @@ def main(arguments):
     for w in workers:
         w.join()
     if left:
-        return 1                                           # a worker ended before its time: its traceback says why
+        return 1                                           # a worker ended early: its traceback says why
     struck = sum(m["verdict"].startswith("struck:") for m in mutants)
     caught = sum(m["verdict"].startswith("caught") for m in mutants)
     print("%d of %d caught, %d struck; %d tried in %.0f s"

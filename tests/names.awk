@@ -1,21 +1,21 @@
-# Names in the headers' comments and in README.md that the headers do not have; status 1 if there are any.
+# Prints names in the headers' comments and in README.md that the headers do not have; then the status is 1.
 #    awk -f tests/names.awk ssgi.h ssgi_gl.h look=1 ssgi.h ssgi_gl.h README.md
-# The first reading collects identifiers, members of structs, and passes. The second one looks at comments, those in
-# GLSL, too: at ssgi_*, SSGI_*, paths as desc.gather.samples, headings of groups, and the word that follows "pass".
+# The first reading collects identifiers, members of structs, and passes. The second one looks at comments, also those
+# in GLSL: at ssgi_*, SSGI_*, paths as desc.gather.samples, headings of groups, and the word that follows "pass".
 
 BEGIN {
     split("a alone and are around as before between chain does draws ignore in is looks names of reads tell that turn " \
-          "use which with write writes", all, " ") # words behind "pass" that are no pass, and names that stand for others
+          "use which with write writes", all, " ") # words behind "pass" that name no pass, and placeholders
     for (i in all) words[all[i]] = 1
     split("SSGI_GL_KIND_WORD SSGI_NAME", all, " ")
     for (i in all) words[all[i]] = 1
 }
 FNR == 1 { inside = over = 0 }
-/^   CHANGES in/ { over = 1 } # names of versions before
+/^   CHANGES in/ { over = 1 } # names of earlier versions
 over { next }
 FILENAME ~ /\.md$/ { check($0, FNR); next }
 
-# A line is code and comment; a comment is looked at when it ends. In a string, which is GLSL, // begins one.
+# Splits a line into code and comment. A comment is looked at when it ends. In a string, which is GLSL, // begins one.
 {
     line = $0
     code = ""
@@ -50,7 +50,7 @@ FILENAME ~ /\.md$/ { check($0, FNR); next }
 
 function bad(name, line) { printf "%s:%d: %s\n", FILENAME, line, name; wrong = 1 }
 
-# Whether a path of members leads somewhere from one of some structs.
+# Whether a path of members exists in one of several structs.
 function leads(structs, path, n, all, steps, i, k, at, parts) {
     n = split(structs, all, " ")
     steps = split(path, parts, ".")

@@ -1,6 +1,6 @@
-/* nan.c - every float that a function takes is set to NaN and to the infinities: each is refused with a sentence, and
-   nothing is written. Compiled by test_build.c with and without -ffast-math, which takes NaN for a number wherever the
-   library compares instead of looking at the bits. */
+/* nan.c - sets every float argument of the library to NaN and to the infinities. Each call must be refused with a
+   sentence and write nothing. test_build.c compiles it with and without -ffast-math, by which a comparison would take
+   NaN for a number, so that the library must look at the bits. */
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #include "../ssgi_gl.h"
@@ -11,7 +11,7 @@ static int wrong;
 #define WRONG(...) (printf(__VA_ARGS__), puts(""), ++wrong)
 #include "arguments.c"
 
-/* Those that return a float take anything; what comes is a number in 0..SSGI_FAR. */
+/* Functions that return a float accept anything, and return a number in 0..SSGI_FAR. */
 static void formulas(void)
 {
     const float good = 0.5f;
@@ -32,7 +32,7 @@ static void formulas(void)
         }
 }
 
-/* Plain formulas of surfels give what their comments say. */
+/* Plain formulas of surfels return the values that their comments name. */
 static void surfel_formulas(void)
 {
     for (size_t k = 0; k < NOT_FINITE; ++k) {
@@ -59,7 +59,7 @@ static void expect(int good, const char *sentence)
     if (!good) WRONG("%s (\"%s\")", sentence, why);
 }
 
-/* A pixel that is not finite in one picture of a survey, whichever, is left out. */
+/* A survey leaves out a pixel that is not finite in any one of its pictures. */
 static void surveyed(void)
 {
     static float picture[4][4] = { { 0.5f, 0.5f, 0.5f, 0.9f }, { 0.5f, 0.6f, 0.5f, 0.8f },
@@ -82,7 +82,7 @@ static void surveyed(void)
     expect(ssgi_gl__within(&s.occlusion, 4, SSGI_FAR), "a survey is larger than SSGI_FAR");
 }
 
-/* Parts of a vertex's colour that are not finite count as 0, and so does such a normal; what is beside them stays. */
+/* A vertex's colour counts as 0 in components that are not finite, and so does such a normal. The others stay. */
 static void coloured(void)
 {
     static float given[18] = { 0.5f, 0.25f, 1, 0.5f, 0.25f, 1, 0.5f, 0.25f, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1 };
@@ -108,7 +108,7 @@ static void coloured(void)
     source.colour = source.normal = NULL;
 }
 
-/* Rays that are not finite hit nothing, by either question, and write nothing. */
+/* Rays that are not finite hit nothing, in both queries, and write nothing. */
 static void rays(void)
 {
     for (size_t k = 0; k < NOT_FINITE; ++k)
@@ -124,7 +124,7 @@ static void rays(void)
         }
 }
 
-/* Finite input whose squares, inverses or products are none. */
+/* Finite input whose squares, inverses or products are not finite. */
 static void extremes(void)
 {
     static const float nothing[16] = { 1.2f, 0, 0, 0, 0, 1.6f, 0, 0, 0, 0, -1.002f, -1, 0, 0, 0.2002f, 0 };
@@ -179,7 +179,7 @@ static void extremes(void)
     }
 }
 
-/* No room stands for a bad argument. */
+/* Functions that return a size return 0 for a bad argument. */
 static void rooms(void)
 {
     for (size_t k = 0; k < NOT_FINITE; ++k) {

@@ -1,5 +1,5 @@
-/* order.c - prints, by the names of passes, what the library makes of each: text, preset, steps. order.sh compares two
-   orders of their enum. */
+/* order.c - prints each pass by its name, with its shader, preset and steps. order.sh compares two orders of their
+   enum. */
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #include "ssgi_gl.h"
@@ -12,8 +12,8 @@ static void print_steps(const ssgi_gl_chain *chain)
     const int count = ssgi_gl_steps(step, 64, chain, NULL);
     for (int i = 0; i < count; ++i) {
         const ssgi_gl_step *const s = &step[i];
-        printf("; %s %llx, size %d %dx%d, draw %x %d %d, blend %x %x %x %d %g", ssgi_gl_pass_name(s->desc.pass),
-               (unsigned long long)ssgi_gl_key(&s->desc), s->size, s->width, s->height, s->primitive, s->vertices,
+        printf("; %s %llx, scale %d %dx%d, draw %x %d %d, blend %x %x %x %d %g", ssgi_gl_pass_name(s->desc.pass),
+               (unsigned long long)ssgi_gl_key(&s->desc), s->scale, s->width, s->height, s->primitive, s->vertices,
                s->instances, s->blend[0], s->blend[1], s->blend[2], s->clear, (double)s->clear_to);
         for (int k = 0; k < s->outputs; ++k)
             printf(", %s %s %d %d", s->output[k].name, s->output[k].format ? s->output[k].format->name : "",

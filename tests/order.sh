@@ -1,4 +1,4 @@
-# order.sh ROOT - turns the enum of passes round in a copy of ssgi_gl.h: each pass must stay what it is.
+# order.sh ROOT - reverses the enum of passes in a copy of ssgi_gl.h. No pass may change by that.
 set -e
 mkdir -p turned
 cp "$1/ssgi.h" turned

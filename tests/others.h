@@ -1,5 +1,5 @@
-/* others.h - EXR files by OpenEXR's older library, which is C++ beneath a C interface: what it writes is half
-   floats R, G, B, A. 0, or -1. */
+/* others.h - writes EXR files by OpenEXR's older library, which is C++ with a C interface: half floats R, G, B, A.
+   Returns 0, or -1. */
 #ifndef OTHERS_H
 #define OTHERS_H
 #include <OpenEXR/ImfCRgbaFile.h>

@@ -7,7 +7,7 @@
 #define SSGI_GL_IMPLEMENTATION
 #include "../ssgi_gl.h"
 
-/* First, where what follows asks passes for their rows: the compiler counts them, but one may stand there twice. */
+/* Call this first, before passes are asked for their rows. The compiler counts the rows, but one pass may have two. */
 static inline int every_pass_has_a_row(void)
 {
     int pass = 0;

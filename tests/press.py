@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Presses keys in a program's window and drops files on it, as a user would; for viewer.sh. It needs an X server, and
-the window alone there.
+"""Presses keys in a program's window and drops files on it, as a user would, for viewer.sh. It needs an X server that
+shows no other window.
 
-    build/press KEY ..           X's names of keys: m M bracketleft; title: prints the window's; drop:/a/file: drops
-                                 it; turn:N: the wheel; drag:X,Y: with the left button; size:WxH: of the window;
-                                 grab:F.ppm: what the window shows; wait: 0.3 seconds
+    build/press KEY ..           X's names of keys: m M bracketleft; title: prints the title; drop:/a/file: drops a
+                                 file; turn:N: turns the wheel; drag:X,Y: drags with the left button; size:WxH: resizes
+                                 the window; grab:F.ppm: saves its picture; wait: waits 0.3 seconds
 """
 import re, select, sys, time
 from Xlib import X, XK, display
@@ -17,14 +17,14 @@ window = None
 
 
 def shown(below):
-    """The window that is shown and has a name."""
+    """Finds the visible window that has a name."""
     if below.get_wm_name() and below.get_attributes().map_state == X.IsViewable:
         return below
     return next(filter(None, map(shown, below.query_tree().children)), None)
 
 
 def send(kind, mask, detail=0, at=(0, 0), state=0):
-    time.sleep(0.002)    # what a window takes for two presses of a key has two times
+    time.sleep(0.002)    # a window notices two presses of one key by their times
     now = int(time.monotonic() * 1000) & 0xffffffff
     window.send_event(kind(time=now, root=root, window=window, child=X.NONE, same_screen=1, root_x=0, root_y=0,
                            event_x=at[0], event_y=at[1], state=state, detail=detail), event_mask=mask)
@@ -60,7 +60,7 @@ def title():
 
 def grab(path):
     size = window.get_geometry()
-    shot = window.get_image(0, 0, size.width, size.height, X.ZPixmap, 0xffffffff).data    # blue, green, red, nothing
+    shot = window.get_image(0, 0, size.width, size.height, X.ZPixmap, 0xffffffff).data    # blue, green, red, padding
     rgb = bytearray(3 * size.width * size.height)
     for channel in range(3):
         rgb[channel::3] = shot[2 - channel::4]
@@ -75,7 +75,7 @@ def message(kind, *values):
 
 
 def drop(path):
-    """By the protocol XDND, version 5: answers what the window asks until it says that it is done."""
+    """Drops a file by the protocol XDND, version 5: answers the window's requests until it reports the end."""
     source.set_selection_owner(server.intern_atom("XdndSelection"), X.CurrentTime)
     message("XdndEnter", 5 << 24, server.intern_atom("text/uri-list"))
     message("XdndPosition", 0, 100 << 16 | 100, X.CurrentTime, server.intern_atom("XdndActionCopy"))

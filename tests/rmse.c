@@ -1,5 +1,5 @@
-/* rmse.c - root of the mean square by which two pictures differ, over all channels, of values 0..1; for window.sh. PNG,
-   PPM, PGM. With GAMMA A's values are taken to that power first: 2.2 for what is encoded for screens.
+/* rmse.c - prints the RMSE between two pictures, PNG, PPM or PGM, over all channels, with values 0..1; for window.sh.
+   GAMMA: A's values are first taken to that power: 2.2 for a picture encoded for screens.
 
       build/rmse A B [GAMMA] */
 #include <math.h>

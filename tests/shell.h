@@ -1,4 +1,4 @@
-/* shell.h - tests that run programs do so in a folder of their own, which is gone behind them. */
+/* shell.h - a folder for tests that run programs. It is removed after them. */
 #ifndef SHELL_H
 #define SHELL_H
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 static char folder[64];
 
-/* Runs a shell line, both its outputs into text; returns its status. */
+/* Runs a shell line and puts both its outputs into text; returns its status. */
 static inline int shell(char *text, size_t size, const char *format, const char *a, const char *b)
 {
     char line[4096];
@@ -50,7 +50,7 @@ static inline char *read_text(const char *path)
     return kit_file_read(&data, &size, path, NULL) ? NULL : data;
 }
 
-/* Is a program here? Says that what it is for is not tried when it is not. */
+/* Whether a program is here. If not, says that its tests are not tried. */
 static inline int has(const char *program)
 {
     char text[400];

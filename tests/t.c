@@ -1,4 +1,4 @@
-/* t.c - the tests' harness. What a test has to say is kept until its line is printed, so that it stands under it. */
+/* t.c - the tests' harness. A test's messages are kept until its line is printed, so that they stand below it. */
 #include "t.h"
 
 #include <stdarg.h>
@@ -29,7 +29,7 @@ int t_all(void) { return getenv("T_ALL") != NULL; }
 int t_passed, t_failed;
 const char *t_root;
 
-enum { SHOWN = 5 };                        /* messages of failed checks a test: the rest is counted */
+enum { SHOWN = 5 };                        /* printed failures of a test; the others are only counted */
 static char   said[8192];
 static size_t length;
 static int    bad, running;
@@ -98,7 +98,7 @@ double t_spent(int children)
 
 void t_run(const char *sentence, void (*test)(void))
 {
-    if (t_failed && getenv("T_FIRST")) return; /* make mutants asks for one test that fails, no more */
+    if (t_failed && getenv("T_FIRST")) return; /* make mutants needs only the first failure */
     char took[32] = "";
     const double began = t_spent(0) + t_spent(1);
     length = 0;

@@ -6,13 +6,13 @@
 #include <string.h>
 #include <sys/resource.h>
 
-/* what the message is made of is looked at when it fails */
+/* the arguments of the message are evaluated only if it fails */
 #define CHECK(condition, ...) t_is((condition) || t_check(__FILE__, __LINE__, __VA_ARGS__))
 static inline int t_is(int ok) { return ok; }
-/* a call that returns 0, or another number and why in `err` */
+/* a call that returns 0, or another number and a reason in `err` */
 #define TRY(call) CHECK(!(call), "%s", err.text)
 #define RUN(sentence, function) t_run(sentence, function)
-/* A call that is refused: it returns that result and names what is bad, by &why; out stays what it was. */
+/* A call that is refused: it returns that result, its reason begins with name, and out keeps the value was. */
 #define T_REFUSED(call, result, name, out, was) \
     do { \
         const char *why = ""; \
@@ -23,32 +23,32 @@ static inline int t_is(int ok) { return ok; }
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
-/* failed: the message says what was found; returns 0. Outside a test it is one of its own */
+/* Notes a failure and returns 0. The message has the value that was found. Outside of a test it fails by itself */
 int  t_check(const char *file, int line, const char *format, ...);
-/* a figure worth printing under the test's line */
+/* prints a figure below the test's line */
 void t_note(const char *format, ...);
-/* runs it, prints "ok" or "FAILED", counts it; the seconds of processor that it took if they are 0.3 or more */
+/* runs a test, prints "ok" or "FAILED" and counts it; prints its processor time from 0.3 seconds on */
 void t_run(const char *sentence, void (*test)(void));
-/* of processor: no test may depend on how fast or busy the machine is */
+/* seconds of processor: no test may depend on how fast or busy the machine is */
 double t_seconds(const struct rusage *spent);
-/* until now by this process, or by those that it started and that have ended */
+/* seconds of processor until now by this process, or by its children that have ended */
 double t_spent(int children);
 
-/* Random numbers, the same in every run [SplitMix64, so that those drawn one after another are independent]. A group
-   has a sequence of its own, which t_seed begins anew. */
+/* Random numbers, the same in every run [SplitMix64, by which successive numbers are independent]. Each group has its
+   own sequence, which t_seed restarts. */
 void     t_seed(uint64_t seed);
 uint32_t t_below(uint32_t n);                          /* 0 .. n - 1 */
 float    t_uniform(float lower, float upper);          /* [lower, upper) */
 double   t_within(double lower, double upper);         /* the same in double */
 
-/* Whether make test-all asks: then groups try more texts, compilers and inputs (T_ALL). */
+/* Whether make test-all runs the group (T_ALL), with more texts, compilers and inputs. */
 int      t_all(void);
 
 extern int t_passed, t_failed;
 extern const char *t_root;                 /* the repository's folder, which is the current one, too */
 
-/* The groups of tests: test_NAME in a file of its own, called by main.c; long ones first, so that the last to end is a
-   short one. A program has those of the library or those of the examples (Makefile): the others are NULL there. */
+/* The groups of tests: each test_NAME is in its own file, and main.c calls it. Long groups are first, so that a short
+   one ends last. A program has the groups of the library or of the examples (Makefile); the others are NULL in it. */
 #define T_GROUPS(X) \
     X(build) X(tools) X(text) X(stability) X(errors) X(scenes) X(pipeline) X(history) X(light) X(coefficients) \
     X(surfels) X(occluders) X(trace) X(field) X(files) X(steps) X(read) X(plan) X(math) X(twins) X(models) X(seeds) \
@@ -56,7 +56,7 @@ extern const char *t_root;                 /* the repository's folder, which is 
 #define T_GROUP(name) __attribute__((weak)) void test_##name(void);
 T_GROUPS(T_GROUP)
 
-/* desc.fetch with every function that a CUSTOM choice asks for. */
+/* desc.shader.fetch with every function that a choice CUSTOM calls. */
 #define T_FETCH \
     "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return " \
     "vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \

@@ -1,4 +1,4 @@
-/* test_build.c - what a compiler and a newcomer see of the headers: warnings, linking, the documentation's code, NaN
+/* test_build.c - the headers as a compiler and a newcomer meet them: warnings, linking, the documentation's code, NaN
    and hostile inputs under sanitizers. */
 #include <math.h>
 #include "kit/kit_gl.h"
@@ -7,12 +7,12 @@
 #define MSVC "--target=x86_64-pc-windows-msvc -ffreestanding -isystem \"$root/examples/tools/wasm/libc\""
 #define WARNINGS "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
 
-static double implementation_seconds;          /* of processor, that gcc took for both of them at -O2 */
+static double implementation_seconds;          /* gcc's processor time for both implementations at -O2 */
 
-/* Each compiler takes both ways and both standards, and links the address of each function that a header declares; what
-   optimisers alone see (values that may be unset, arithmetic that they may take apart) gcc's with T_ALL; the others
-   make programs then, and else read them. The implementation comes after a plain include, as in a host whose own
-   headers include ssgi_gl.h. */
+/* Every compiler compiles the headers both ways by each standard, and links the address of every declared function. gcc
+   with T_ALL also optimises, as some warnings need that (variables that may be unset, overflow). The other compilers
+   make programs with T_ALL and otherwise only check syntax. The implementation follows a plain include, as in a host
+   whose headers include ssgi_gl.h. */
 static void compilers(void)
 {
     static const struct {
@@ -45,7 +45,8 @@ static void compilers(void)
                   modes[i].whole, text);
             continue;
         }
-        const char *const object = i ? "other.o" : "implementation.o";         /* that is linked from here on */
+        const char *const object = i ? "other.o" : "implementation.o";         /* the object to be linked from here
+                                                                                  on */
         const double before = t_spent(1);
         const int failed = shell(text, sizeof text, "%s -c implementation.c -o %s", compile, object)
                         || text[0];
@@ -62,7 +63,7 @@ static void compilers(void)
     CHECK(ran >= 2, "only %d compilers were there", ran);
 }
 
-/* ssgi_gl.h's code alone is refused in one line, unless the file says that another one has ssgi.h's. */
+/* ssgi_gl.h's code without ssgi.h's is refused in one line, unless the file says that another file has ssgi.h's. */
 static void alone(void)
 {
     char text[4000];
@@ -76,7 +77,7 @@ static void alone(void)
                  "%s%s", "", "") && !text[0], "with ssgi.h's code elsewhere: %s", text);
 }
 
-/* Comments name what there is. Names that were left behind by renames are found where they are put back. */
+/* Comments name only things that exist. The test puts old names back, to see that they are found. */
 static void names(void)
 {
     static const char *const stale[][2] = {
@@ -98,14 +99,14 @@ static void names(void)
     }
 }
 
-/* Behind the macros of many hosts, behind windows.h, and for MSVC's dialect. -Wpedantic holds literals to 4,095
-   characters, a quarter of what MSVC takes. */
+/* Compiles behind the macros of many hosts, behind windows.h, and in MSVC's dialect. -Wpedantic limits literals to
+   4,095 characters, a quarter of MSVC's limit. */
 static void hosts(void)
 {
     static const struct {
         const char *compiler, *how;
     } modes[] = { { "gcc", "-std=c99 -include \"$root/tests/macros.h\"" },
-                  { "clang++", "-std=c++17 -xc++ " MSVC },           /* the others with T_ALL */
+                  { "clang++", "-std=c++17 -xc++ " MSVC },           /* the next ones with T_ALL */
                   { "g++", "-std=c++11 -xc++ -include \"$root/tests/macros.h\"" },
                   { "x86_64-w64-mingw32-gcc", "-std=c99 -include windows.h" },
                   { "x86_64-w64-mingw32-g++", "-std=c++17 -xc++ -include windows.h" },
@@ -129,7 +130,7 @@ static void order_of_passes(void)
           "the order of passes: something compares passes by it: %s", text);
 }
 
-/* A field of a few triangles, baked by programs of other optimisation, is the same to the byte. */
+/* A field of a few triangles has the same bytes if programs of other optimisation bake it. */
 static void optimised(void)
 {
     static const char *const program =
@@ -162,7 +163,7 @@ static void optimised(void)
     CHECK(ran >= 2, "only %d compilers were there", ran);
 }
 
-/* Seconds of processor that gcc takes for both implementations; 0 when it fails. */
+/* gcc's processor time for both implementations; 0 if it fails. */
 static double compiled(const char *how)
 {
     char text[400];
@@ -170,8 +171,8 @@ static double compiled(const char *how)
     return shell(text, sizeof text, "gcc %s -c -I. implementation.c -o time.o%s", how, "") ? 0 : t_spent(1) - before;
 }
 
-/* What an optimiser makes of the headers, against parsing and plain code of the same on the same machine. A few tries,
-   as others may be busy: the least of each. */
+/* The time to optimise the headers, beside the time to parse them and to compile plain code on the same machine. Takes
+   the least of a few tries, as the machine may be busy. */
 static void compile_time(void)
 {
     double best[2] = { 1e9, implementation_seconds > 0 ? implementation_seconds : 1e9 };
@@ -185,7 +186,7 @@ static void compile_time(void)
     t_note("both implementations at -O2 take %.1f times as long as at -O0", best[1] / best[0]);
 }
 
-/* The text between two marks, comment stars and all, as the body of a program. It is added to snippets.cpp, too. */
+/* Compiles the text between two marks, with comment stars, as the body of a program. Adds it to snippets.cpp, too. */
 static int snippet(const char *file, const char *from, const char *to, const char *before, const char *after,
                    char *output, size_t size)
 {
@@ -231,7 +232,7 @@ static void documentation(void)
                    "    return !(o > 0.05f && o < 0.3f); }\n" },
         { "plan", "\n    (void)view; return !(plan.meets && plan.method == SSGI_PLAN_METHOD_NOTHING); }\n" }
     };
-    /* what a plan is made of: a plane of 3000 points, of which nothing is occluded */
+    /* the input of a plan: a plane of 3000 points without occlusion */
     static const char *const given =
         "    static float hsao[3000], best[3000], solid[3000], slabs[3000], position[9000], normal[9000], floor[9] = { "
         "0, "
@@ -239,7 +240,7 @@ static void documentation(void)
         "    static double memory[500]; ssgi_trace trace; ssgi_gl_desc desc; memset(&desc, 0, sizeof desc);\n"
         "    ssgi_trace_build(&trace, memory, sizeof memory, floor, 12, NULL, 1, NULL);\n"
         "    for (int i = 0; i < 3000; ++i) hsao[i] = best[i] = solid[i] = slabs[i] = normal[3 * i + 1] = 1;\n";
-    /* GL that counts */
+    /* a GL that only counts calls */
     static const char *const gl =
         "#include \"ssgi_gl.h\"\n#ifndef GL_FRAMEBUFFER\ntypedef unsigned GLuint, GLenum; static int draws, bound;\n"
         "enum { GL_UNIFORM_BUFFER, GL_DYNAMIC_DRAW, GL_TEXTURE0 };\n#define GL_FRAMEBUFFER 0x8D40\n"
@@ -298,7 +299,7 @@ static void documentation(void)
                      "on { print >on }' \"%s/$f\" && ls code*.mjs >js && "
                      "while read -r m; do node --check $m%s || exit 1; done <js || exit 1; done", t_root, ""),
               "JavaScript of a document cannot be read: %s", text);
-    /* figures: decimals but versions and those of code, "3 of 4" from the chart on */
+    /* figures: decimals except versions and those in code; "3 of 4" from the chart on */
     CHECK(!shell(text, sizeof text,
                  "cd '%s' && { sed -E '/^    /d; s/((GL|ES|From|Mesa|Version) |ssgi-)[0-9.]+//g' README.md | "
                  "grep -oE '[0-9]+\\.[0-9]+'; sed -n '/^## Speed/,$p' README.md | tr '\\n' ' ' | "
@@ -315,7 +316,7 @@ static void documentation(void)
                  t_root)
               && SSGI_VERSION == 500 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 5,
           "the headers' first lines and SSGI_VERSION disagree");
-    /* The tables of renames, read by the header's own script: no old name is left above them, 0.3 comes out as 0.4. */
+    /* The tables of renames, read by the header's own script, leave no old name above them: they turn 0.3 into 0.4. */
     CHECK(!shell(
               text, sizeof text,
               "sed -n '/^      awk/,/>renames/p' ssgi.h >five && sed 's/0[.]4/0.3/; s/0[.]5/0.4/' five >four && "
@@ -339,12 +340,12 @@ static void fuzz(void)
     CHECK(!status, "random inputs under address and undefined-behaviour sanitizers: %s", text);
 }
 
-/* A way to compile a program of tests/, what runs it where the processor is another, and its arguments. */
+/* A way to compile a program of tests/, the command that runs it for another processor, and its arguments. */
 typedef struct program_mode {
     const char *how, *run, *arguments;
 } program_mode;
 
-/* Makes and runs a program by each way, without T_ALL by the first two. A way by which nothing runs here is named. */
+/* Compiles and runs a program in each way; without T_ALL in the first two. Names a way whose program cannot run. */
 static void programs(const char *name, const program_mode *mode, size_t count)
 {
     char text[4000], line[400];
@@ -361,7 +362,7 @@ static void programs(const char *name, const program_mode *mode, size_t count)
     }
 }
 
-/* From 18 on clang takes a test of an argument's bits for true under -ffast-math. */
+/* From version 18 on, clang with -ffast-math assumes that a test of an argument's bits for NaN is never true. */
 static void not_numbers(void)
 {
     static const program_mode modes[] = { { "gcc -O1 -ffast-math -DSSGI_STATIC", "", "" },
@@ -373,7 +374,7 @@ static void not_numbers(void)
     programs("nan", modes, sizeof modes / sizeof *modes);
 }
 
-/* Compilers for ARM64 fuse multiply and add unasked, others where they may use the processor's own instructions. */
+/* Compilers for ARM64 fuse multiply and add by default, others if they may use the processor's own instructions. */
 static void closed_meshes(void)
 {
     static const program_mode modes[] = { { "gcc -O2 -march=native", "", "1000" },
@@ -389,7 +390,7 @@ static void closed_meshes(void)
     programs("leaks", modes, sizeof modes / sizeof *modes);
 }
 
-/* Another version lays out otherwise: only 14 judges. */
+/* Other versions of clang-format make another layout, so only 14 is asked. */
 static void formatted(void)
 {
     char text[4000];
@@ -404,13 +405,13 @@ static void formatted(void)
           "longer than 120 columns: %s", text);
 }
 
-/* Lines of what surrounds the headers, without data and documents: what is added is paid for by what goes. A bound is
-   lowered when its folder shrinks, and raised by the lines of a new feature alone. */
+/* Lines of each folder around the headers, without data and documents: new lines are paid for by others that go. A
+   bound is lowered when its folder shrinks, and raised by the lines of a new feature alone. */
 static void surroundings(void)
 {
     static const struct { const char *folders; int most; } rows[] = {
-        { "tests", 25860 },         { "examples/lab", 15800 },
-        { "examples/kit", 16100 },  { "examples/tools", 5500 },
+        { "tests", 25870 },         { "examples/lab", 15880 },
+        { "examples/kit", 16110 },  { "examples/tools", 5530 },
         { "Makefile", 545 },        { "examples/web examples/viewer examples/hosts", 9800 }
     };
     char text[400];
@@ -439,7 +440,7 @@ void test_build(void)
     RUN("what surrounds the headers does not grow", surroundings);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     RUN("no ray leaves a closed mesh between its triangles, by whatever rules of arithmetic", closed_meshes);
-    if (t_all()) {                                 /* these compile the library again and again */
+    if (t_all()) {                                 /* these compile the library many times */
         RUN("random inputs and chains neither crash nor trip a sanitizer", fuzz);
         RUN("a baked field has the same bytes at any optimisation", optimised);
         RUN("the order of passes in their enum means nothing", order_of_passes);

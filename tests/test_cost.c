@@ -1,4 +1,4 @@
-/* test_cost.c - make cost: how often instructions are counted, shares of waves, and the model, by figures worked out by
+/* test_cost.c - make cost: counts of instructions, shares of waves, and the model, against figures worked out by
    hand. */
 #include <math.h>
 #include <stdlib.h>
@@ -9,12 +9,12 @@
 
 /* ---- >>walks ----------------------------------------------------------------------------------------------------- */
 
-/* An `if` whose condition all lanes share. */
+/* An `if` whose condition is the same for all lanes. */
 #define SIDES "\ts_cmp_eq_i32 s5, 0\n\ts_cbranch_scc1 BB3\n" \
               "BB2:\n\tv_mov_b32_e32 v0, 0\n\ts_branch BB4\n" \
               "BB3:\n\tv_mov_b32_e32 v0, 1\n\tv_rsq_f32_e32 v0, v1\n" \
               "BB4:\n"
-/* Nothing tells how many turns a loop has whose bound is read from memory. */
+/* A loop whose bound is read from memory, so that its number of turns is unknown. */
 #define ENDLESS "BB0:\n\ts_mov_b32 s0, 0\n\ts_buffer_load_dword s1, s[4:7], 0x68\n" \
                 "BB3:\n\ts_cmp_ge_i32 s0, s1\n\ts_cbranch_scc1 BB9\n" \
                 "BB4:\n\tv_mul_f32_e32 v0, v0, v0\n\ts_add_u32 s0, s0, 1\n\ts_branch BB3\n" \
@@ -22,13 +22,13 @@
 
 #define NO_BODY { { 0, 0, 0 }, { 0, 0, 0 } }
 typedef struct expected { double vector, transcendental, fetches; } expected;
-/* turns: of a loop without an end, whose block is named from 1 on; 0: there is none. */
+/* turns: of a loop without a known end; endless: its block, numbered from 1 on; 0: there is none. */
 static const struct {
     const char *sentence, *text;
     expected busy, calm, body[2];
     int bodies, turns, endless, unknown;
 } walks[] = {
-    /* three turns of two, in each an `if` of lanes: 1 + 6 * 4 vector instructions, 1 + 6 * 2 where no lane enters */
+    /* 3 turns of 2, each with an `if` of lanes: 1 + 6 * 4 vector instructions, or 1 + 6 * 2 if no lane enters */
     { "loops of constant count are counted as often as they run, an `if` in them busy and calm",
       "BB0:\n\ts_mov_b32 s0, 0 ; be800380\n\tv_mov_b32_e32 v0, 0\n"
       "BB1:\n\ts_cmp_ge_i32 s0, 3\n\ts_cbranch_scc1 BB6\n"
@@ -43,7 +43,7 @@ static const struct {
       "BB5:\n\ts_addk_i32 s0, 0x1\n\ts_branch BB1\n"
       "BB6:\n\texp mrt0 v0, v0, v0, v0 done vm\n\ts_endpgm\n",
       { 25, 6, 6 }, { 13, 0, 6 }, { { 12, 6, 0 }, { 0, 0, 0 } }, 1, 1, 0, 0 },
-    /* four turns that lanes leave one by one: the mask of those that are left, and the counter, end it */
+    /* four turns, which lanes leave one by one; the counter ends the loop, beside the mask of the lanes left */
     { "a loop that lanes leave ends by its counter",
       "BB0:\n\ts_mov_b64 s[0:1], exec\n\ts_mov_b32 s8, 0\n"
       "BB1:\n\tv_cmp_gt_f32_e32 vcc, 1.0, v1\n\ts_cmp_lt_i32 s8, 4\n"
@@ -71,8 +71,8 @@ static const struct {
     { "a loop without a known end is named, and counted as told: never", ENDLESS, { 0, 0, 0 }, { 0, 0, 0 },
       NO_BODY, 0, 0, 4, 0 },
     { "or three times", ENDLESS, { 3, 0, 0 }, { 3, 0, 0 }, NO_BODY, 0, 3, 4, 0 },
-    /* four turns, in each an `if` with an else, which a wave enters in part or not at all, and another with one
-       inside; what is left of a wave does the else's instruction in any case */
+    /* four turns, each with an `if` and an else, which a wave may enter in part or not at all, and another `if` inside;
+       the else's instruction counts in any case, as the remaining lanes execute it */
     { "each body that a wave may leave out is counted by itself, an else in any case",
       "BB0:\n\ts_mov_b32 s0, 0\n"
       "BB1:\n\tv_cmp_lt_f32_e32 vcc, 0, v2\n\ts_and_saveexec_b64 s[2:3], vcc\n"
@@ -116,8 +116,8 @@ static void walk(void)
 
 /* ---- >>shares ---------------------------------------------------------------------------------------------------- */
 
-/* Five texels by three, each with the bits of two sides, "." where nothing is shown. Tiles of 2x2 are six waves, of
-   which the last one shows nothing; the others enter 2 2 0 1 2 times of two. */
+/* Five by three texels, each with the bits of two sides, "." without a surface. Tiles of 2x2 are six waves, and the
+   last one shows no surface; the others enter 2 2 0 1 2 times of two. */
 static void waves_of_tiles(void)
 {
     static const char picture[] = "10020" "20100" "1.03.";
@@ -140,7 +140,7 @@ static void waves_of_tiles(void)
     }
 }
 
-/* Bodies by their own shares; the whole of what may be left out by one share; else all counts. */
+/* Bodies count by their own shares; or all that may be skipped counts by one share; or all counts. */
 static void weighed_by_hand(void)
 {
     static const double shares[] = { 0.5, 0.25 };
@@ -163,7 +163,7 @@ static void weighed_by_hand(void)
     }
 }
 
-/* The most like it: of its size, then by steps; of cameras that both stand and turn the one that turns. */
+/* Picks the most similar row: of the resolution, then by samples; of cameras that stand and turn, the turning one. */
 static void shares_recorded(void)
 {
     static char *cells[] = { "body", "camera", "half", "steps", "tile", "share",
@@ -193,7 +193,7 @@ static void shares_recorded(void)
         }
 }
 
-/* A line that has been written otherwise must be written so in share.c, too: else all of its body would count. */
+/* If a line of the GLSL changes, share.c must change, too: otherwise all of its body would count. */
 static void texts_have_bodies(void)
 {
     static const struct { ssgi_gl_desc desc; int count, body[4];
@@ -224,18 +224,19 @@ static void texts_have_bodies(void)
     }
 }
 
-/* A millisecond of this device has a million cycles, its 128 lanes 100 instructions each of 1.28 million pixels. */
+/* The device has a million cycles a millisecond, and 128 lanes that execute 100 instructions for 1.28 million
+   pixels. */
 static void model_by_hand(void)
 {
     static const struct { load load; int apart; bound bound; double ms; } cases[] = {
         { { 1.28e6, 100, 0, 0, 0, 0, 10 }, 1, ALU, 1.0 },
-        { { 1.28e6, 100, 20, 0, 0, 0, 10 }, 1, ALU, 1.0 },          /* 80 quarters, beside the others */
+        { { 1.28e6, 100, 20, 0, 0, 0, 10 }, 1, ALU, 1.0 },          /* 20 count as 80, at the same time as the others */
         { { 1.28e6, 100, 30, 0, 0, 0, 10 }, 1, ALU, 1.2 },
         { { 1.28e6, 100, 30, 0, 0, 0, 10 }, 0, ALU, 1.9 },          /* 70 + 4 * 30 */
-        { { 1.28e6, 0, 0, 64, 0, 0, 1000 }, 1, TEX, 2.56 },         /* 2 units of 16 a cycle */
-        { { 1.28e6, 0, 0, 64, 16, 0, 1000 }, 1, TEX, 3.2 },         /* 48 and 16, which count twice */
+        { { 1.28e6, 0, 0, 64, 0, 0, 1000 }, 1, TEX, 2.56 },         /* 2 units, each 16 a cycle */
+        { { 1.28e6, 0, 0, 64, 16, 0, 1000 }, 1, TEX, 3.2 },         /* 48, and 16 that count twice */
         { { 1.28e6, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 1.7 },         /* 5000 waves a SIMD, each 200 + 3200 cycles */
-        { { 256, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 0.0034 },         /* a wave a SIMD: none to take its place */
+        { { 256, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 0.0034 },         /* one wave a SIMD: none to take its place */
         { { 1.28e6, 100, 0, 0, 0, 2e8, 10 }, 1, MEMORY, 2.0 }
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
@@ -247,7 +248,7 @@ static void model_by_hand(void)
     }
 }
 
-/* Cells with commas and quotes; columns by their keys, without those that nothing stands in; rows by one. */
+/* Writes cells with commas and quotes; columns by their keys, without columns that are empty; a selection of rows. */
 static void tables_put(void)
 {
     static const char text[] = "a,b,c,d\n1,\"x, \"\"y\"\"\",,\n22.5,z,,p\n";

@@ -1,12 +1,12 @@
 /* test_errors.c - each method of build/render keeps its error within its bound in tests/errors.csv, so that no default
-   gets worse unseen. Errors are RMSE, of light over its mean; noise is that of the truth. A row by hand, whose truth
-   also has its settings where TRUTH is METHOD; with --still 16 where frames are averaged:
+   gets worse unnoticed. Errors are RMSE, of light over its mean; noise is the truth's. A row is repeated by hand so,
+   with its settings also for the truth if TRUTH is METHOD, and with --still 16 if frames are averaged:
 
      build/render SCENE [--env ENV] [--light LIGHT] [--radius RADIUS] --size SIZE --method TRUTH --truth RAYS \
        --out t.exr
      build/render SCENE [..] --size SIZE --method METHOD [--set SETTINGS] --score t.exr
 
-   make errors writes errors, noise and bounds anew, as this tree has them; a row that is added leaves them empty. */
+   make errors fills in errors, noise and bounds by this tree; in a new row they are empty. */
 #include "t.h"
 #include "lab/measure/csv.h"
 #include "lab/measure/score.h"
@@ -15,18 +15,18 @@
 #include <string.h>
 
 
-enum { FINER = 8 };                        /* rays of the truth that tells the noise of one, over that one's */
-static const double margin = 1.04, noisy = 0.4;       /* of a bound: over the error; the most that is noise */
+enum { FINER = 8 };                        /* FINER times the rays make the truth that tells the noise */
+static const double margin = 1.04, noisy = 0.4;       /* a bound over its error; the most of it that may be noise */
 
 static csv rows;
 static int now;
-static double found, noise;                /* of that row */
-static int measures;                       /* 1: noise is asked for */
+static double found, noise;                /* results of the row */
+static int measures;                       /* 1: measure the noise, too */
 static kit_error err;
 
 static const char *cell(int at, const char *key) { return csv_text(&rows, at, key); }
 
-/* The scene of a row, its light, what is seen of it, its truth; of which row they are, -1 = of none. */
+/* A row's scene, light, G-buffer and truth; the index of that row, -1: none. */
 static stage seen;
 static kit_image finer;
 static int seen_of = -1, traced_of = -1;
@@ -84,14 +84,14 @@ static int trace(int at)
     return 1;
 }
 
-/* RMSE of a picture, of light over the truth's mean. */
+/* RMSE of a picture; of light, over the truth's mean. */
 static int error_of(double *error, const kit_image *picture, const char *of)
 {
     static const lit shown;
     stage s = seen;
     row r;
     s.lit = strcmp(of, "visibility") ? &shown : NULL;
-    s.places.width = 0;                    /* the picture as a whole */
+    s.places.width = 0;                    /* no score of edges and border */
     if (!TRY(kit_image_new(&s.unit, s.truth.width, s.truth.height, s.lit ? KIT_LIT_CHANNELS : "Y", &err))) return 0;
     const int failed = !TRY(score_picture(&r, &s, picture, &err));
     kit_image_free(&s.unit);
@@ -133,7 +133,7 @@ static void bounded(void)
     t_note("%.4f of %.4f", found, bound);
 }
 
-static int rowless;                        /* methods without a row */
+static int rowless;                        /* the number of methods without a row */
 
 /* Each method of build/render --list has a row. */
 static void complete(void)
@@ -168,7 +168,7 @@ void test_errors(void)
     rows = csv_read("errors.csv");
     csv_folder = was;
     RUN("every method has a bound", complete);
-    if (out && rowless) return;            /* before a minute of figures that would be made again */
+    if (out && rowless) return;            /* do not write figures without a row */
     if (!TRY(kit_gl_open(NULL, &err))) return;
     if (out && !CHECK((f = fopen(out, "w")) != NULL, "T_ERRORS=%s: cannot be written", out)) return;
     measures = f != NULL;

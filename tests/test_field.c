@@ -1,7 +1,7 @@
-/* test_field.c - ssgi.h's rooms of caps and of fields: against closed forms, exact solid angles of boxes and balls,
-   reference fits, and rays of the tests' own. */
+/* test_field.c - ssgi.h's rooms of caps and of fields, against closed forms, exact solid angles of boxes and balls,
+   reference fits, and rays that the tests trace. */
 #include "t.h"
-/* white-box: this file has its own copy of the library, for what is private in it */
+/* white-box: this file has its own copy of the library, to reach its private functions */
 #define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #if defined(__GNUC__)
@@ -23,7 +23,7 @@ static void direction(double d[3])
     ssgi__polar(d, z, t_within(0, 2 * PI));
 }
 
-/* centre + r w as the library takes points */
+/* centre + r w, as the floats of a point */
 static const float *point_at(const float centre[3], double r, const double w[3])
 {
     static float p[4][3];
@@ -37,7 +37,7 @@ static const float *point_at(const float centre[3], double r, const double w[3])
 
 static void caps(void)
 {
-    /* by quadrature over azimuths; below, straddling, above; the same for more than half of the sphere; ends */
+    /* by quadrature over azimuths: caps below, across and above; the same, larger than half of the sphere; ends */
     static const struct { double solid_angle, cosine, occlusion;
     } rows[] = { { PI / 4, -0.75, 0 },
                  { PI / 4, -0.03125, 0.022492340305020567 },
@@ -55,7 +55,7 @@ static void caps(void)
                  { -1, 0.5, 0 },
                  { 13, -0.5, 1 },
                  { PI / 4, 1.5, 0.234375 },
-                 { PI / 4, -1.5, 0 } }; /* beyond the ends */
+                 { PI / 4, -1.5, 0 } }; /* arguments beyond the ends */
     double worst = 0;
     for (int i = 0; i < COUNT(rows); ++i)
         worst = fmax(worst, fabs(ssgi_cap_occlusion(rows[i].solid_angle, rows[i].cosine) - rows[i].occlusion));
@@ -76,7 +76,7 @@ static void caps(void)
         }
 }
 
-/* A look-up as the header describes it. */
+/* Looks a table up as the header describes it. */
 static double looked_up(const float *table, int size, double solid_angle, double cosine)
 {
     const double u = (solid_angle / (4 * PI) * (size - 1) + 0.5) / size,
@@ -121,8 +121,8 @@ static void cap_tables(void)
     T_REFUSED(ssgi_cap_table(table, 4097, &why), SSGI_BAD_ARGUMENT, "size:", table[0], was);
 }
 
-/* Light of a cap: constant light is the cap's share of pi, exactly; any light is what fine steps over the sphere sum
-   to; cap and inverse cap together are the whole. */
+/* Light through a cap: constant light gives exactly the cap's share of pi; other light gives its sum over fine steps; a
+   cap and its inverse together give all. */
 static void cap_lights(void)
 {
     enum { BANDS = 3, STEPS = 400 };
@@ -188,10 +188,10 @@ static void cap_lights(void)
 #undef REFUSED
 }
 
-/* ---- >>field: what a bake is made of ----------------------------------------------------------------------------- */
+/* ---- >>field: the parts of a bake -------------------------------------------------------------------------------- */
 
-/* Solid angle and vector irradiance of a box about the origin from p outside: the faces that p sees, each two triangles
-   [Oosterom, Strackee 1983] and four edges [Lambert]. */
+/* Exact solid angle and vector irradiance of a box about the origin, seen from p outside. Each visible face is two
+   triangles [Oosterom, Strackee 1983] and four edges [Lambert]. */
 static void box_exact(double out[4], const double half[3], const double p[3])
 {
     memset(out, 0, 4 * sizeof *out);
@@ -226,7 +226,7 @@ static void box_exact(double out[4], const double half[3], const double p[3])
 
 typedef struct samples { double radii[64], values[64], directions[64 * 3], w[3]; } samples;
 
-/* Exact samples along a ray, as a bake spaces them; half NULL: of the unit ball. */
+/* Exact samples along a ray, with a bake's spacing; half NULL: of the unit ball. */
 static void sample_ray(samples *s, const double *half, const double w[3], int count)
 {
     const double far_away = half ? 8 * sqrt(kit_dot(half, half)) : 8;
@@ -261,7 +261,7 @@ static double least_of(const double q[3])
 
 static void fits(void)
 {
-    /* half 0: the ball. Optima by an independent descent from many starts */
+    /* half 0: the ball. error: the optimum, found by another descent from many starts */
     const struct { double half[3], w[3]; int count; double error;
     } rows[] = { { { 1, 1, 1 }, { 1, 0, 0 }, 32, 1.216465e-2 },
                  { { 1, 1, 1 }, { 1, 1, 0 }, 32, 5.168629e-4 },
@@ -288,7 +288,7 @@ static void fits(void)
         if (rows[i].error > 1e-6) worst = fmax(worst, error / rows[i].error);
     }
     t_note("worst error of a fit: %.4f of the reference's", worst);
-    /* slabs, rods, a cube from everywhere, edge-on too, and what no occluder would be */
+    /* slabs, rods, a cube, from all sides and edge-on; and samples that no occluder has */
     static const double halves[4][3] = { { 1, 1, 0.05 }, { 1, 0.1, 0.1 }, { 1, 1, 1 }, { 1, 0.3, 0.02 } };
     for (int i = 0; i < 800; ++i) {
         const int count = 3 + i * 7 % 62;
@@ -336,7 +336,7 @@ static void centres(void)
     }
     t_note("worst error of a centre: %.4f of the reference's", worst);
     const double truth[3] = { 0.3, -0.2, 0.4 };
-    for (int holes = 0; holes < 3; ++holes) {            /* one true centre; some directions unknown; all */
+    for (int holes = 0; holes < 3; ++holes) {            /* 0: one true centre; 1: some directions unknown; 2: all */
         for (int i = 0; i < 32; ++i) {
             for (int k = 0; k < 3; ++k)
                 s.directions[3 * i + k] = holes == 2 || (holes && i % 3 == 0) ? 0 : truth[k] - s.radii[i] * s.w[k];
@@ -353,7 +353,7 @@ static void centres(void)
 
 static const double cube[3] = { 1, 1, 1 };
 
-/* What a test bakes: one at a time. */
+/* The shape that a test bakes. */
 static kit_build shape;
 
 static const kit_mesh *box_mesh(const double half[3])
@@ -390,7 +390,7 @@ static int traced_by(ssgi_trace *trace, const kit_mesh *m)
                  "%s", why);
 }
 
-/* Rays of the tests' own: user is the box's half sides, or the ball's radius. */
+/* Rays of the tests: user is the half sides of a box, or the radius of a ball. */
 static int box_hit(void *user, const float o[3], const float d[3])
 {
     const double *half = (const double *)user;
@@ -412,7 +412,7 @@ static int ball_hit(void *user, const float o[3], const float d[3])
     return c < 0 || (b < 0 && b * b > c * kit_dot(w, w));
 }
 
-/* A ball with half of its rays going through. */
+/* A ball through which half of the rays pass. */
 static int porous_hit(void *user, const float o[3], const float d[3])
 {
     uint32_t bits[2];
@@ -433,7 +433,7 @@ static void backwards(void *user, int count, void (*job)(void *context, int i), 
     while (count) job(context, --count);
 }
 
-/* Bakes into one of four places, from work memory of no alignment that ends where it should; with threads unless the
+/* Bakes into one of four places. The work memory is not aligned and ends right at its size. Uses threads unless the
    desc has its own. */
 static uint32_t place[4][6 * 66 * 66 * 2 + 1];
 
@@ -459,7 +459,7 @@ static ssgi_field baked(int at, const ssgi_field_desc *desc, const kit_mesh *m)
     return f;
 }
 
-/* The whole field as bytes: two are the same when these are. */
+/* A field as bytes. Equal fields have equal bytes. */
 static size_t bytes_of(unsigned char **out, const ssgi_field *f)
 {
     const size_t size = ssgi_field_save(NULL, 0, f);
@@ -495,7 +495,7 @@ static double seen(const ssgi_field *f, const float p[3], const double n[3])
     return (double)ssgi_field_occlusion(f, &limits, p, normal);
 }
 
-/* Largest difference of two fields' occlusion around hull and reach. */
+/* The largest difference between two fields' occlusion around the hull and the reach. */
 static double apart(const ssgi_field *a, const ssgi_field *b)
 {
     double most = 0, w[3], n[3];
@@ -619,7 +619,7 @@ static void same_bytes(void)
     void *work = malloc(size);
     const char *why = "no memory";
     ssgi_field f = several;
-    /* corners in reverse, five floats each, and an index that undoes it */
+    /* corners in reverse order, five floats each, and an index that undoes this */
     for (size_t i = 0; i < corners; ++i) {
         memcpy(wide + 5 * i, torus.position + 3 * (corners - 1 - i), 3 * sizeof(float));
         index[i] = (uint32_t)(corners - 1 - i);
@@ -630,7 +630,7 @@ static void same_bytes(void)
               && same(&several, &f),
           "one thread, an index and a stride change the field: %s", why);
     free(work);
-    /* a triangle that is nowhere, among the others */
+    /* a triangle that is not finite, among the others */
     for (int i = 0; i < 9; ++i) wide[i] = i == 4 ? NAN : 3e12f;
     memcpy(wide + 9, torus.position, 9 * torus.triangles * sizeof(float));
     f = baked(3, &d, &(kit_mesh){ .triangles = torus.triangles + 1, .position = wide });
@@ -655,11 +655,11 @@ static void own_rays(void)
     t_note("own rays against ours: off by %.5f", off);
 }
 
-/* Samples of the tests' own, exact. half: of a box; NULL: of the unit ball, of which `filled` is there. */
+/* Exact samples by the tests. half: of a box; NULL: of the unit ball, of which a share `filled` occludes. */
 typedef struct rasters {
     const double *half;
     double filled;
-    int unit, broken;                      /* unit: the paper's directions; broken: what is not finite */
+    int unit, broken;                      /* unit: directions as in the paper; broken: not finite from there on */
     float reach;
     _Atomic int calls, wrong;              /* of several threads */
 } rasters;
@@ -690,7 +690,7 @@ static void rasterised(void *user, float *out, const float *point, int count)
     s->wrong += fabs(before / (double)s->reach - 1) > 0.01;
 }
 
-/* A field from samples of one's own: that of many rays, where the bake asks for them. */
+/* A bake by one's own samples, and asked for few rays, equals one of many rays. */
 static void own_samples(void)
 {
     const double half[3] = { 1, 0.5, 0.25 }, up[3] = { 0, 0, 1 };
@@ -716,9 +716,9 @@ static void own_samples(void)
     }
 }
 
-/* The one closed form: a ball that rests on a plane takes 1/(1 + rho^2)^1.5 of it. By rays, and by half of them, the
-   others go through; by samples whose directions are as they are, as the paper has them, and of a ball of which half is
-   holes. */
+/* The one closed form: a ball that rests on a plane occludes 1/(1 + rho^2)^1.5 of it. By rays, and by a ball that lets
+   half of them through; by samples with lengths, and with unit directions as in the paper; by samples of a ball that is
+   half holes. */
 static void ball_on_plane(void)
 {
     static const struct { const char *name; int (*hit)(void *, const float *, const float *); rasters of; double most;
@@ -746,7 +746,7 @@ static void ball_on_plane(void)
     }
 }
 
-/* Without the Gaussian a texel is what its own direction fits, from a quarter of the directions. */
+/* Unfiltered, a texel is the fit of its own direction, so a bake has a quarter of the directions. */
 static void unfiltered(void)
 {
     double error[2] = { 0, 0 };
@@ -776,10 +776,10 @@ static void unfiltered(void)
     t_note("directions of texels: off by %.4f, filtered %.4f", error[1], error[0]);
 }
 
-/* The centres of three fine texels of 16 a side on the cube: within faces, and beside an edge. */
+/* The centres of three fine texels, of 16 a side on the cube: two within faces, one beside an edge. */
 static const double impulses[3][3] = { { 1, 0.0625, -0.4375 }, { 0.3125, -1, 0.1875 }, { 0.9375, -0.1875, 1 } };
 
-/* What is seen from those texels' directions leaves most of its cap open, what is seen from others fills it. */
+/* Samples in the directions of these texels leave most of the cap open; those of others fill it. */
 static void impulse(void *user, float *out, const float *point, int count)
 {
     for (int i = 0; i < count; ++i, point += 3, out += 4) {
@@ -796,8 +796,8 @@ static void impulse(void *user, float *out, const float *point, int count)
     }
 }
 
-/* A texel is the mean of 4 x 4 fine ones by a Gaussian whose deviation is one of them. One that differs counts in the
-   texels around it by the bell's values at half a fine texel and at one and a half, across edges as within faces. */
+/* A texel is the mean of 4x4 fine ones by a Gaussian with a deviation of one fine texel. A single differing fine texel
+   counts by the bell's values at half and at one and a half fine texels, across edges as within faces. */
 static void filtered(void)
 {
     static float solid_angle = 0.2f;
@@ -817,7 +817,7 @@ static void filtered(void)
             const double *q = impulses[n];
             const int b = fabs(q[0]) == 1 ? 0 : fabs(q[1]) == 1 ? 1 : 2;
             double weight = a == b && p[a] != q[a] ? 0 : open;
-            for (int k = 0; k < 3; ++k) { /* a neighbouring face is laid flat beside this one */
+            for (int k = 0; k < 3; ++k) { /* unfolds a neighbouring face into the plane of this one */
                 const double at = k == a ? p[a] * (2 - p[b] * q[b]) : p[k];
                 if (k != b) weight *= bell[(int)fmin(2, fabs(at - q[k]) * 8)];
             }
@@ -910,7 +910,7 @@ static void bad_arguments(void)
     free(work);
 }
 
-/* Occlusion around and in the hull, on the far side of the reach, at the centre: all in [0,1]. */
+/* Whether occlusion is in [0,1] around and in the hull, beyond the reach and at the centre. */
 static int sane(const ssgi_field *f)
 {
     int ok = isfinite(f->p95) && f->p95 >= 0 && f->p95 <= 1 && f->inside >= 0 && f->inside <= 1;
@@ -931,7 +931,7 @@ static void degenerate(void)
     static const struct {
         const char *name;
         float half[3], position[9];        /* a box, or a triangle */
-        int far_away, scaled;              /* whether anything is left of it far away; scaled, its bits are the same */
+        int far_away, scaled;              /* far_away: it still occludes there; scaled: with equal bits */
     } rows[] = { { "a triangle", { 0 }, { 0, 0, 0, 1, 0, 0, 0.3f, 1, 0.2f }, 1, 1 },
                  { "a needle", { 0 }, { -1, 0, 0, 1, 0, 0, 1, 1e-4f, 0 }, 0, 1 },
                  { "a flat box", { 1, 0.7f, 0 }, { 0 }, 1, 0 },
@@ -984,7 +984,7 @@ static void hulls(void)
                          distance = (double)cap_at(&f, point_at(NULL, exact, w)).hulls,
                          off = exact / (double)f.radius * fabs(1 / distance - 1);
             for (int n = 0; n < 3; ++n) x[n] = fabs(w[n]);
-            /* the two largest: near each other, an edge */
+            /* the two largest are near each other at an edge */
             const double largest = fmax(x[0], fmax(x[1], x[2])),
                          next = fmax(fmin(x[0], x[1]), fmin(fmax(x[0], x[1]), x[2]));
             if (i && next > 0.9 * largest) creases = fmax(creases, off);
@@ -996,8 +996,8 @@ static void hulls(void)
     }
 }
 
-/* Rays go into a cone, about few directions, that holds all of the mesh: also what sticks out between them, as of small
-   triangles by chance about the unit sphere. */
+/* A bake shoots rays into a cone about a few directions. It must hold all of the mesh, also parts between those
+   directions, as of small random triangles near the unit sphere. */
 static void cones(void)
 {
     static float cloud[9 * 400];
@@ -1043,10 +1043,10 @@ static void cones(void)
            widest);
 }
 
-/* Where a bake looks from inside the cube, and how many of its rays hit. */
+/* The points in the cube from which a bake looks, and how many of their rays hit. */
 typedef struct looks { int points, rays[256], hits[256]; float from[256][3]; } looks;
 
-/* Of directions low ones hit, a share of them that is the point's share of the way out; near the centre all of them. */
+/* Low directions hit, as many as the point's share of the way out. Near the centre all hit. */
 static int low_hit(void *user, const float o[3], const float d[3])
 {
     looks *l = (looks *)user;
@@ -1059,9 +1059,9 @@ static int low_hit(void *user, const float o[3], const float d[3])
     return hit;
 }
 
-/* A_0 of a cube that occludes points at a share r of the way out by r, but encloses them below 0.3 and above 0.95. They
-   count by 1 - r, the share that A_0 has of the occlusion there. It is this mean of the points that the bake looked
-   from; and the ratio of the integrals of r (1 - r) and 1 - r, from which that of 256 points deviates by 0.013. */
+/* A_0 of a cube that occludes a point at a share r of the way out by r; below 0.3 and above 0.95 it encloses the point.
+   A point counts by 1 - r, its weight of A_0. So A_0 is this mean over the bake's points; and it is the ratio of the
+   integrals of r (1 - r) and 1 - r, from which that of 256 points deviates by 0.013. */
 static void toward_the_centre(void)
 {
     static looks l;
@@ -1086,7 +1086,7 @@ static void toward_the_centre(void)
     t_note("%.6f; of its %d points %.6f; by the integrals %.3f", (double)f.inside, l.points, sum / weight, closed);
 }
 
-/* Rays that follow no occluder: texels have nothing to do with their neighbours. */
+/* Rays without an occluder: texels are unlike their neighbours. */
 static int wild_hit(void *user, const float o[3], const float d[3])
 {
     const double p[3] = { (double)o[0], (double)o[1], (double)o[2] }, r = sqrt(kit_dot(p, p));
@@ -1101,7 +1101,7 @@ static void borders(void)
     const ssgi_field_desc d = { .resolution = 5, .radii = 6, .rays = 64, .hit = wild_hit };
     const ssgi_field f = baked(0, &d, box_mesh(half));
     double step = 0, lower = 1, upper = 0;
-    for (int i = 0; i < 6000; ++i) {                     /* across an edge; every fourth close to a corner */
+    for (int i = 0; i < 6000; ++i) {                     /* across an edge; one in four near a corner */
         const int a = i % 3, b = (a + 1) % 3;
         const double sa = i & 8 ? 1 : -1, sb = i & 16 ? 1 : -1,
                      along = i % 4 ? t_within(-1, 1) : (i & 32 ? 1 : -1) * t_within(0.999, 1.0005),
@@ -1146,7 +1146,7 @@ static void limits(void)
         for (int k = 0; k < 3; ++k) normal[k] = (float)n[k];
         const double hull = 1 / (double)cap_at(&f, point_at(f.centre, 1, w)).hulls;
 #define AT(r) (double)ssgi_field_occlusion(&f, &ramp, point_at(f.centre, r, w), normal)
-        for (int k = 1; k < 4; ++k) {                    /* from ramp to reach, 1 - smoothstep */
+        for (int k = 1; k < 4; ++k) {                    /* from ramp to reach it falls as 1 - smoothstep */
             const double t = k / 4.0;
             bent = fmax(bent, fabs(AT(2 + 3 * t)
                                    - (1 - t * t * (3 - 2 * t)) * seen(&f, point_at(f.centre, 2 + 3 * t, w), n)));
@@ -1179,7 +1179,7 @@ static void limits(void)
 
 /* ---- files ------------------------------------------------------------------------------------------------------- */
 
-static void repair(unsigned char *file, size_t size)      /* FNV-1a over all that is before it */
+static void repair(unsigned char *file, size_t size)      /* FNV-1a over all bytes before it */
 {
     uint64_t h = 14695981039346656037u;
     for (size_t i = 0; i < size - 8; ++i) h = (h ^ file[i]) * 1099511628211u;
@@ -1225,7 +1225,7 @@ static void files(void)
     CHECK(ssgi_field_load(&g, NULL, 0, file, size - 1, NULL) == SSGI_BAD_ARGUMENT, "a file that is cut has a head");
     repair(copy, size + 4);
     REFUSED("file:", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size + 4);
-    copy[7] = '1';                                   /* as fields of 16 bits had it */
+    copy[7] = '1';                                   /* the version that had 16 bits */
     repair(copy, size);
     REFUSED("file: is of another version", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size);
     copy[6] = 'X';
@@ -1237,7 +1237,7 @@ static void files(void)
                     { "file: its covered share", LOW + 4 * 7, 1.1f },
                     { "file: its covered share", SPAN + 4 * 7, 1.1f },
                     { "file: is corrupt", LOW, 63 },                   /* a logarithm whose power of 2 is squared */
-                    { "file: is corrupt", LOW + 4 * 3, 1e-30f },       /* the hull, by which distances are divided */
+                    { "file: is corrupt", LOW + 4 * 3, 1e-30f },       /* the hull, a divisor of distances */
                     { "file: is corrupt", RADIUS, 1e-30f } };
     for (int i = 0; i < COUNT(numbers); ++i) {
         memcpy(copy, file, size);
@@ -1246,7 +1246,7 @@ static void files(void)
         REFUSED(numbers[i].start, SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size);
     }
     memcpy(copy, file, size);
-    for (size_t i = 0; i < size; ++i) {              /* the checksum sees every single byte */
+    for (size_t i = 0; i < size; ++i) {              /* the checksum notices every byte */
         copy[i] ^= (unsigned char)(1 + i % 255);
         REFUSED("file:", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size);
         copy[i] = file[i];

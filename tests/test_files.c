@@ -1,5 +1,5 @@
 /* test_files.c - files in and out, scores, objects, threads: the kit's util.c, image.c, places.c, mesh.c, scene.c and
-   light.c. Damaged pictures under sanitizers are a program of their own, fuzz_files.c. */
+   light.c. fuzz_files.c reads damaged pictures under sanitizers. */
 #include "others.h"
 #include "kit/kit_gl.h"
 #include "shell.h"
@@ -13,7 +13,7 @@ static void put(const char *name, const void *bytes, size_t size)
     CHECK(!kit_file_write(in_folder(name), bytes, size, NULL), "%s cannot be made", name);
 }
 
-/* A file of less than 64 kB; how long it is. */
+/* Reads a file of less than 64 kB; returns its size. */
 static size_t get(const char *name, char bytes[65536])
 {
     char *data;
@@ -24,7 +24,7 @@ static size_t get(const char *name, char bytes[65536])
     return size;
 }
 
-/* A failure says one line that names the file. */
+/* The call failed with one line that names the file. */
 static void check_error(int result, const kit_error *err, const char *name, const char *about)
 {
     CHECK(result == -1, "%s: accepted", about);
@@ -35,7 +35,7 @@ static void check_error(int result, const kit_error *err, const char *name, cons
 
 /* ---- EXR --------------------------------------------------------------------------------------------------------- */
 
-static float sample(int c, int i)               /* any value that would show a mixed-up channel, row or bit */
+static float sample(int c, int i)               /* a value that reveals an exchanged channel, row or bit */
 {
     static const float odd[] = { 0, -0.0f, 1e-42f, 3.4e38f, -INFINITY, INFINITY };
     if (i % 11 < 6) return odd[(i + c) % 6];
@@ -70,7 +70,7 @@ static void exr_round_trip(void)
     kit_image_free(&b);
 }
 
-/* A pixel of a part is 1000 times the part, 20 times the row and the column; windows differ. */
+/* The pixels of a part are 1000 part + 20 y + x; the parts' windows differ. */
 static float of_part(int part, int x, int y) { return (float)(1000 * part + 20 * y + x); }
 
 static const struct { const char *name, *view, *channel, *read; int min[2], max[2]; } several[] = {
@@ -128,14 +128,14 @@ static void exr_of_parts(void)
             CHECK(is[k] == (in ? of_part(i, x, y) : 0), "%s at %d, %d: %g", several[i].read, x, y, (double)is[k]);
         }
     }
-    /* 8 of 10 rows, of 1 each; columns 2 to 12 of 0 to 19, rows 1 to 8 of 0 to 9 */
+    /* 8 of 10 rows, each 1 high; columns 2 to 12 of 0 to 19, rows 1 to 8 of 0 to 9 */
     CHECK(!kit_exr_header(&header, KIT_HEADER_WINDOW, in_folder("parts.exr"), &err) && header.height == 8
               && header.centre[0] == -2.5f && header.centre[1] == 0,
           "its window: %g high, at %g, %g", (double)header.height, (double)header.centre[0], (double)header.centre[1]);
     kit_image_free(&image);
 }
 
-/* Reads what is left of a file that is cut after every step-th byte, as that reader has it. */
+/* Cuts a file after every step-th byte; the reader must refuse each with one line. */
 static void cut(const char *name, size_t step, int (*read)(kit_image *image, const char *path, kit_error *err))
 {
     static char bytes[65536];
@@ -192,7 +192,7 @@ static void exr_bad(void)
     CHECK(strstr(err.text, "deep EXR") != NULL, "a deep file: \"%s\"", err.text);
 }
 
-/* The file's data window becomes one of width x height from (0, 0). */
+/* Changes the file's data window to width x height from (0, 0). */
 static void claim(const char *name, int32_t width, int32_t height)
 {
     static char bytes[65536];
@@ -203,8 +203,8 @@ static void claim(const char *name, int32_t width, int32_t height)
     put(name, bytes, size);
 }
 
-/* Pictures that OpenEXR's C++ packs in every way, in rows and in tiles, are read; what a header claims beyond the most
-   that its bytes can hold is refused before there is room for it. */
+/* Pictures by OpenEXR's C++ in every compression, in rows and in tiles, are read. If a header claims more pixels than
+   its bytes can hold, it is refused before memory is allocated. */
 static void exr_claims(void)
 {
     enum { WIDE = 36, HIGH = 20 };
@@ -234,7 +234,7 @@ static void exr_claims(void)
     check_error(kit_exr_read(&untouched, in_folder("dwa.exr"), &err), &err, "dwa.exr", "its compression");
 }
 
-/* In a file, so many bytes after the first place of a text become others; 0: the text is not in it. */
+/* Overwrites bytes of a file, so many bytes after the first place of a text; 0: the text is not in it. */
 static int patch(const char *name, const char *text, size_t after, const void *bytes, size_t count)
 {
     static char file[65536];
@@ -258,7 +258,7 @@ static int frame_written(const char *name, const kit_header *header)
     return ok;
 }
 
-/* The same pixels see the same points: pixel (x, y) of one camera, (x + dx, y + dy) of the other, in pixels. */
+/* The distance in pixels between points that pixel (x, y) of a and (x + dx, y + dy) of b show. */
 static double astray(const kit_camera *a, const kit_camera *b, int dx, int dy)
 {
     double most = 0;
@@ -274,11 +274,11 @@ static double astray(const kit_camera *a, const kit_camera *b, int dx, int dy)
     return most;
 }
 
-/* By the standard's own words, on a camera that is worked out by hand; then back, for cameras all around; and of a data
-   window that is a part of the display window. */
+/* A camera as the standard words it, worked out by hand; then written and read back, for cameras all around; and with a
+   data window that is a part of the display window. */
 static void exr_camera(void)
 {
-    static const int32_t shown[4] = { -8, -2, 23, 9 };             /* 32 x 12 pixels, of which 8 x 6 are there */
+    static const int32_t shown[4] = { -8, -2, 23, 9 };             /* 32 x 12 pixels, of which the file has 8 x 6 */
     static const float by_hand[16] = { 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, -3, -2, -1, 1 };
     static const kit_camera east = { .eye = { 1, 2, 3 }, .target = { 5, 2, 3 }, .up = { 0, 1, 0 }, .fovy = 90,
                                      .width = 8, .height = 6 };
@@ -319,7 +319,7 @@ static void exr_camera(void)
             || !CHECK(!kit_exr_header(&back, KIT_HEADER_ALL, in_folder("c.exr"), &err), "%s", err.text)) return;
         kit_camera part = { .width = 8, .height = 6 };
         kit_camera_from_header(&part, &back);
-        /* the whole picture, by what was written for the part: as wide, or as high */
+        /* the whole picture, from the part's angle: by width, by height */
         was = c;
         was.width = 32;
         was.height = 12;
@@ -333,7 +333,7 @@ static void exr_camera(void)
     t_note("cameras read back: %.1e pixels astray at most", worst);
 }
 
-/* What is malformed is named, what is not asked for is not looked at. */
+/* Malformed attributes are named; those that were not asked for are not read. */
 static void exr_camera_bad(void)
 {
     static const int32_t none[4] = { 5, 5, 4, 4 };
@@ -401,7 +401,7 @@ static void unwritable(void)
     mkdir(in_folder("taken.exr"), 0777);
     check_error(kit_exr_write(&a, in_folder("taken.exr"), &err), &err, "taken.exr", "a folder of that name");
     if (!access("/dev/full", W_OK)) CHECK(kit_exr_write(&a, "/dev/full", &err) == -1, "/dev/full was replaced");
-    kit_image twice = a;                        /* OpenEXR itself refuses: one name for two channels */
+    kit_image twice = a;                        /* OpenEXR itself refuses two channels of one name */
     twice.channels = 2;
     memcpy(twice.name[1], twice.name[0], sizeof twice.name[0]);
     put("old.exr", "old", 3);
@@ -419,8 +419,8 @@ static void fuzzed(void)
     CHECK(!shell(said, sizeof said, "TMPDIR=. '%s/build/fuzz-files' 800x%s", t_root, ""), "%s", said);
 }
 
-/* Of a full run of the papers and of scenes by seed the page takes those parts, others stay to the byte; of a record
-   that cannot be read it takes nothing. Of three scenes' 0.3, 0.5, 1.3 the mean is 0.7, its standard error
+/* The page replaces the parts of full runs, here of the papers and of scenes by seed, and keeps the others to the byte.
+   A record that cannot be read changes nothing. The mean of three scenes' 0.3, 0.5, 1.3 is 0.7, its standard error
    sqrt(0.56 / 2 / 3) = 0.3055. */
 static void figures(void)
 {
@@ -460,8 +460,8 @@ static void figures(void)
 #undef ROW
 }
 
-/* README's charts: each stands on white, since the page around it may be dark, and is what the csv make of it; a line
-   has its name where a method stands without settings, else at the least error, and of a sweep at its end. */
+/* README's charts are drawn from the csv, on white, as the page around them may be dark. A line's name stands at the
+   method without settings, else at the least error; for a sweep at its end. */
 static void charts(void)
 {
     static const char *const lines =
@@ -498,8 +498,8 @@ static void charts(void)
 
 static void hdr(void)
 {
-    /* two rows: 8 pixels run-length coded (a run of 8, 8 literals, two half runs, a run), then the same written flat
-       would be a new file */
+    /* Two files: one row of 8 pixels, run-length coded (a run of 8, 8 literals, two half runs, a run); two rows of one
+       pixel, written flat. */
     static const char head[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n";
     static const unsigned char coded[] = { 2,  2,  0,  8,   136, 128, 8,   0, 16,  32, 48,
                                            64, 80, 96, 112, 132, 1,   132, 2, 136, 129 };
@@ -530,7 +530,7 @@ static void hdr(void)
     }
 }
 
-/* What is wrong with a Radiance picture, or what a header claims that the file does not hold. */
+/* Radiance pictures with faults, or with headers that claim more than the file holds. */
 static void hdr_bad(void)
 {
 #define RADIANCE "#?RADIANCE\n"
@@ -560,8 +560,8 @@ static void hdr_bad(void)
 
 enum { PLACES_W = 64, PLACES_H = 48, PLACES = PLACES_W * PLACES_H };
 
-/* The view depth at which the pixel's ray meets the plane n.P = d, in front of a camera of 60 degrees, or an
-   orthographic one of 3 units; 0 = nowhere. */
+/* The view depth at which a pixel's ray meets the plane n.P = d: of a camera of 60 degrees, or of an orthographic one 3
+   units high; 0 = nowhere. */
 static double depth_of_plane(int i, int perspective, const double n[3], double d)
 {
     const double scale = perspective ? tan(acos(-1) / 6) : 1.5;
@@ -571,7 +571,7 @@ static double depth_of_plane(int i, int perspective, const double n[3], double d
     return z > 0 && z < 1e6 ? z : 0;
 }
 
-/* How many pixels of each kind there are in a row: left of a column, and all along. */
+/* How many pixels of each kind a row has: [0] left of a column, [1] in all. */
 static void places_in_row(int count[2][KIT_PLACES], const kit_image *places, int y, int column)
 {
     memset(count, 0, 2 * sizeof *count);
@@ -596,7 +596,7 @@ static void places(void)
     kit_image_new(&frame, PLACES_W, PLACES_H, "Z", NULL);
     for (int perspective = 0; perspective < 2; ++perspective) {
         camera.fovy = perspective ? 60 : 0;
-        for (int tilt = 0; tilt < 89; tilt += 11) {                      /* up to 88 degrees, a fold with each */
+        for (int tilt = 0; tilt < 89; tilt += 11) {                      /* up to 88 degrees, each with a fold */
             const double at = tilt * acos(-1) / 180, n[3] = { 0.3 * sin(at), sin(at), cos(at) };
             int edges = 0;
             for (int i = 0; i < PLACES; ++i) {
@@ -610,7 +610,7 @@ static void places(void)
                   perspective, edges);
             kit_image_free(&out);
         }
-        for (int step = 0; step < 2; ++step) {                           /* jumps of 1.2 and 0.8 of what counts */
+        for (int step = 0; step < 2; ++step) {                           /* jumps of 1.2 and 0.8 of the threshold */
             for (int i = 0; i < PLACES; ++i)
                 frame.data[i] = (float)depth_of_plane(i, perspective, facing, -4)
                               + (i % PLACES_W < 40 ? 0 : step ? 0.08f : 0.12f);
@@ -777,7 +777,7 @@ static const char quirks[] =
     "v 0 1.00000000000000000000000000000 0\r\n"
     "vt 0 0\r\nvn 0 0 -2\r\nvn 0 0 0\r\n"
     "usemtl Material #25\r\n"
-    "f 1/1/1 2//1 3/1/2 4/1#quad: 2 triangles\r\n"       /* normals given, given, of length 0, none */
+    "f 1/1/1 2//1 3/1/2 4/1#quad: 2 triangles\r\n"       /* normals: two given, one of length 0, none */
     "l 1 2\r\np 1\r\ng x\r\ns off\r\nnonsense \x01\xff\r\n"
     "usemtl twice # the later one\r\n"
     "f -4 \\\r\n -3 \\\n -2\r\n"                          /* continued */
@@ -908,7 +908,7 @@ static void objects_cast_and_move(void)
     add_cube(text, "room", 0, 0, 0, 10, 10);
     add_cube(text, "cube", 1, 0, 2, 1, 1);
     add_cube(text, "sheet", 5, 0, 0, 4, 0.003);
-    /* sticks out of the room, which holds three of the five others */
+    /* it sticks out of the room, which holds three of the five others */
     add_cube(text, "pillar", 9, 0, 4, 2, 5);
     add_cube(text, "book", 3, 0, 5, 1, 1);
     put("a.obj", text, strlen(text));
@@ -941,7 +941,7 @@ static void objects_cast_and_move(void)
         memcpy(bad, where, sizeof bad);
         /* 0, 2: a shear, 1: mirrored, 3: no place, 5: not finite */
         bad[k < 4 ? 5 * k : 13] = k == 3 ? 2 : k == 5 ? INFINITY : k ? -2 : 1;
-        if (k == 4) bad[5] = bad[8] = 2.1f;                                         /* wider two ways */
+        if (k == 4) bad[5] = bad[8] = 2.1f;                                         /* scaled by more on two axes */
         CHECK(kit_scene_place(&s, 1, bad, &err) == -1 && o->lower[0] == 24 && strstr(err.text, "cube"),
               "place %d was accepted: \"%s\"", k, err.text);
     }
@@ -950,7 +950,7 @@ static void objects_cast_and_move(void)
     CHECK(!kit_scene_place(&s, 0, where, &err) && s.mesh.upper[1] == 21, "the mesh is %g high, not 21",
           (double)s.mesh.upper[1]);
 
-    /* in the cube, which holds no more; around all but the floor */
+    /* inside the cube, without an object in it; around all but the floor */
     static const float corners[2][2][3] = { { { 24.5f, 1.5f, 1.5f }, { 25, 2, 2 } },
                                             { { -20, -1, -20 }, { 60, 60, 60 } } };
     for (int k = 0; k < 2; ++k) CHECK(!kit_scene_add_box(&s, corners[k][0], corners[k][1], grey, &err), "%s", err.text);
@@ -981,8 +981,8 @@ static void objects_cast_and_move(void)
     kit_scene_free(&s);
 }
 
-/* The greatest error of a truth between objects seen from above: of the plane by the ball, 1 / (1 + rho^2)^1.5, or if
-   the plane casts of the ball by it, (1 - n.y) / 2. */
+/* The greatest error of a truth between objects, seen from above: the ball occludes the plane by 1 / (1 + rho^2)^1.5;
+   if the plane casts, it occludes the ball by (1 - n.y) / 2. */
 static double ball_and_plane(int ball, int plane, kit_image *y)
 {
     kit_error err = {{0}};
@@ -1023,8 +1023,8 @@ static void truth_of_objects(void)
 
 /* ---- environments ------------------------------------------------------------------------------------------------ */
 
-/* Luminance of the irradiance over pi that faces a direction; peak: the brightest texel, step: how far texels beside
-   each other differ. */
+/* Luminance of the irradiance over pi from a direction's hemisphere. peak: the brightest texel; step: the largest
+   difference between neighbouring texels. */
 static double facing(const kit_image *env, const float to[3], double *peak, double *step)
 {
     static const double weight[3] = { 0.2126, 0.7152, 0.0722 };
@@ -1052,7 +1052,7 @@ static void environments(void)
 {
     static const struct {
         const char *name;
-        double up, least, most, step;       /* facing up; of the brightest texel; between texels, of that one */
+        double up, least, most, step;       /* up: irradiance facing up; most: the brightest texel */
     } built_in[] = { { "sky", 1.0103, 3, 6, 0.45 },
                      { "probe", 1, 150, 300, 0.45 },
                      { "windows", 1, 8, 14, 0.95 },

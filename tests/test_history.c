@@ -1,4 +1,4 @@
-/* test_history.c - pictures over frames: scripted sequences whose answers are known, noise, motion, hostile history. */
+/* test_history.c - pictures over frames: scripted sequences with known answers, noise, motion, hostile history. */
 #include "t.h"
 #include "frames.h"
 
@@ -8,7 +8,7 @@
 
 static kit_error err;
 
-/* ---- scripted sequences: what is kept, frame by frame, is known ----------------------------------------------- */
+/* ---- scripted sequences with known counts in each frame ------------------------------------------------------- */
 
 enum { W = 96, H = 54 };
 
@@ -19,9 +19,9 @@ static kit_pass *pass_of(kit_run *run, int pass)
     return p;
 }
 
-/* Light of an open plane by a script, filtered without noise: a mean over all frames, up to `most` of them, that stays
-   near a mean over three, and that near what is seen now; where the first has to follow it forgets. Of uneven frames
-   each counts for its time. */
+/* A script changes the light of an open plane, filtered without noise. The result is a mean over at most `most` frames,
+   held near a mean over three, and that near the present value. The mean that has to be moved forgets frames. Frames of
+   uneven length count by their time. */
 static void light_is_followed(void)
 {
     enum { FRAMES = 20 };
@@ -48,7 +48,7 @@ static void light_is_followed(void)
             v = t == 12 ? row[i].to : v * row[i].by;
             if (!t) run.frame.history_frames = 0;
             else if (!TRY(kit_run_follow(&run, &run, t, &err))) return;
-            /* from five frames on the filter takes five texels in place of nine, and is taken to know less */
+            /* from five frames on the filter averages five texels instead of nine, and trusts them less */
             const double now = row[i].uneven ? took[t % 5] : 1, last = row[i].uneven ? took[(t + 4) % 5] : 1;
             if (t && !CHECK(ssgi_gl_frame_time(&run.frame, 16 / 60.0f, (float)(now / 60), (float)(last / 60), NULL)
                             == SSGI_OK, "a time is refused"))
@@ -82,10 +82,10 @@ static void light_is_followed(void)
     kit_image_free(&white.env);
 }
 
-/* Frames of a method, and the G-buffers of the last two. */
+/* Frames of a method, and the last two G-buffers. */
 typedef struct sequence { kit_frames frames; kit_gbuffer g[2]; kit_method method; } sequence;
 
-/* Draws the next frame, on a picture that is freed. */
+/* Draws the next frame from a picture, and frees the picture. */
 static int next_frame(sequence *s, kit_image *picture, const kit_camera *c)
 {
     const kit_world world = { NULL, NULL };
@@ -123,9 +123,9 @@ static int frames_kept(float kept[W * H], kit_run *run)
     return 1;
 }
 
-/* A frame of a picture that went on by so much, and before had another size: each pixel takes up what the four around
-   its last place counted, at most 16 and fewer the farther that is from a pixel's centre; up to a pixel beyond the
-   border counts as the border, and up to a hundredth from a pixel's centre as that. */
+/* The expected counts of a frame that moved by dx, dy from a frame of another size: a pixel interpolates the counts of
+   the four pixels around its last place. The count is at most 16, and lower the farther the place is from a centre. Up
+   to a pixel beyond the border it counts as at the border, up to a hundredth from a centre as at the centre. */
 static void count(float kept[W * H], const int size[2], const int was[2], double dx, double dy)
 {
     static float last[W * H];
@@ -148,9 +148,9 @@ static void count(float kept[W * H], const int size[2], const int was[2], double
     }
 }
 
-/* A camera over an open plane that stands, turns or jumps: so many frames each pixel averages. A bar that comes: where
-   it is a share of what is within the radius, averages are forgotten. told: motion vectors say that all stands (1), or
-   that it went by (2) what the camera else turns by. */
+/* How many frames each pixel averages while a camera over an open plane stands, turns or jumps. A bar appears: pixels
+   forget where the bar fills a share of the space within the radius. told: motion vectors say that all stands (1), or
+   the motion that the camera's turn otherwise gives (2). */
 static void frames_are_counted(void)
 {
     enum { FRAMES = 18, BAR = 40, ACROSS = 16, FAR_ = 30 };
@@ -200,7 +200,8 @@ static void frames_are_counted(void)
         const kit_pass *const drawn_by = pass_of(s.frames.now, SSGI_GL_PASS_HISTORY);
         for (int p = 0; p < drawn_by->width * drawn_by->height; ++p) {
             const int x = p % W;
-            /* a place half a pixel beyond the border is in the last picture or not as it is rounded: then one less */
+            /* half a pixel beyond the border, rounding decides whether the last picture has the place; if not, one
+               frame less */
             const float off = expected[p] - kept[p];
             wrong += !row[i].bar && !(fabsf(off) < 0.02f || (row[i].x > 1 && fabsf(off - 1) < 0.02f));
             anew += row[i].bar && x >= BAR && x < BAR + ACROSS && kept[p] < 1.001f;
@@ -213,7 +214,7 @@ static void frames_are_counted(void)
     }
 }
 
-/* A bar that passes over a floor: where it has gone, and is farther than the radius, the floor is open at once. */
+/* A bar passes over a floor. Once it is gone and farther away than the radius, the floor is open at once. */
 static void nothing_trails(void)
 {
     enum { FRAMES = 14, WIDE_ = 14, STEP = 4 };
@@ -229,9 +230,9 @@ static void nothing_trails(void)
         for (int p = 0; p < W * H; ++p) if (p % W >= left && p % W < left + WIDE_) frame.data[p] = 3.75f;
         if (!next_frame(&s, &frame, &c) || !TRY(kit_run_read(&out, s.frames.now, &err))) return;
         for (int p = 0; p < W * H && t > 6; ++p) {
-            const int gap = left - 1 - p % W;              /* pixels between it and the bar that has gone */
+            const int gap = left - 1 - p % W;              /* pixels between this place and the bar that has passed */
             if (gap >= 0 && gap < 3) beside = fmin(beside, (double)out.data[p]);
-            for (int k = 0; k < 3; ++k)                    /* for k frames it is beyond the radius and the filter */
+            for (int k = 0; k < 3; ++k)                    /* for k frames beyond the radius and the filter */
                 if (gap >= 11 + k * STEP && gap < 11 + (k + 1) * STEP) behind[k] = fmin(behind[k], (double)out.data[p]);
         }
         kit_image_free(&out);
@@ -241,7 +242,7 @@ static void nothing_trails(void)
     end_frames(&s);
 }
 
-/* A camera that glides past solids: at their edges depths differ, where nothing came or went. */
+/* A camera glides past solids. At their edges depths differ, but nothing appears or disappears: little is forgotten. */
 static void little_is_forgotten(void)
 {
     enum { FRAMES = 8 };
@@ -272,7 +273,7 @@ static void little_is_forgotten(void)
     kit_scene_free(&scene);
 }
 
-/* ---- noise, motion, what is hostile ----------------------------------------------------------------------------- */
+/* ---- noise, motion, hostile input ------------------------------------------------------------------------------- */
 
 /* A run of a method on a built-in scene at a small size. */
 static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting, int width,
@@ -285,11 +286,11 @@ static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const k
         && open_run(run, g, name, set, scene->radius, scene, lighting);
 }
 
-/* Single frames that differ by their noise alone, and means over sixteen others each: how far two of them are apart.
-   Then a cut. */
+/* The difference between two single frames with other noise, and between two means over sixteen such frames. Then a
+   cut. */
 static void history_is_quiet(void)
 {
-    enum { FIRST = 100 };                                  /* frame of the second sixteen */
+    enum { FIRST = 100 };                                  /* the first frame of the second sixteen */
     static const struct { const char *method, *set; double alone, kept; } kept[] = {
         { "hsao-fast", "history=1", 0.027, 0.012 }, { "hsao", "resolution=full,history=1", 0.015, 0.0026 },
         { "hsao-fast", "resolution=quarter,slices=2,history=1", 0.036, 0.013 },
@@ -331,7 +332,7 @@ static void history_is_quiet(void)
     kit_scene_free(&scene);
 }
 
-/* The texture that a pass reads under a name. */
+/* The texture that a pass reads by this name. */
 static GLuint *read_as(kit_pass *p, const char *name)
 {
     for (int k = 0; k < p->step->inputs; ++k) if (!strcmp(p->step->input[k].name, name)) return &p->input[k];
@@ -341,8 +342,8 @@ static GLuint *read_as(kit_pass *p, const char *name)
 static const float odd[] = { NAN, INFINITY, -INFINITY, 0, -1, 1e38f, -1e38f, 1e9f, 1e-30f, 0.5f, 1, 3, 528 };
 enum { ODD = ROWS(odd) };
 
-/* A copy of a pass's texture that is no history. One lane of every third texel is a value, the others and depth are
-   right; or all lanes are anything: of one kind, or a mixture. */
+/* Damages a copy of a pass's texture. Below ANYTHING: one lane of every third texel has a value, and the other lanes,
+   depth too, are right. From ANYTHING on: all lanes are random, of one kind or mixed. */
 enum { ANYTHING = 4 };
 static GLuint poisoned(const kit_pass *p, GLuint texture, int lane, float value, unsigned seed)
 {
@@ -360,9 +361,9 @@ static GLuint poisoned(const kit_pass *p, GLuint texture, int lane, float value,
     return copy;
 }
 
-/* A frame in which a lane of what history reads is NaN or infinity at depths that are right, whatever is restored; a
-   hundred in which all that is kept is anything, depth too. Every frame is of numbers that can be, and a few sound ones
-   later nothing of it is left. */
+/* History with bad texels: a frame in which a lane is NaN or infinity and depths are right, for each kind of restoring;
+   then a hundred frames with random values, depth too. All frames must be finite and in range, and after a few sound
+   frames nothing of it may be left. */
 static void hostile_history(void)
 {
     static const struct { const char *method, *set; } kept[] = {
@@ -370,7 +371,7 @@ static void hostile_history(void)
         { "ssdo-fast", "bounce=none,history=1,restore=ratio" },
         { "ssdo-fast", "bounce=none,history=1,restore=difference" },
         { "s3ho-fast", "indirect=joint,history=1,restore=difference" } };
-    /* NULL: this frame's visibility or light. The first has none, to compare with. */
+    /* name NULL: this frame's visibility or light. The first row is sound, for comparison. */
     static const struct { const char *name; int lane; float value; unsigned frames; } poison[] = {
         { "none", 0, 0, 0 }, { "t_ssgi_history", 0, NAN, 1 }, { "t_ssgi_history", 0, INFINITY, 1 },
         { "t_ssgi_history", 2, NAN, 1 }, { "t_ssgi_history", 3, NAN, 1 }, { "t_ssgi_means", 0, NAN, 1 },
@@ -402,9 +403,9 @@ static void hostile_history(void)
             kit_run_update(&run);
             kit_run_draw(&run, 0);
             for (unsigned f = 1; f <= last; ++f) {
-                GLuint copy[3] = { 0 }, was[3] = { 0 }, *at[3] = { NULL };     /* grey has no means */
+                GLuint copy[3] = { 0 }, was[3] = { 0 }, *at[3] = { NULL };     /* grey methods have no means */
                 kit_image out;
-                TRY(kit_run_follow(&run, &run, 200 - last + f, &err));         /* the last frames' noise is the same */
+                TRY(kit_run_follow(&run, &run, 200 - last + f, &err));         /* the last frames have the same noise */
                 if (f >= BEFORE && f < BEFORE + poison[i].frames) {
                     at[0] = read_as(p, of);
                     if (poison[i].lane == ANYTHING) {
@@ -414,7 +415,7 @@ static void hostile_history(void)
                 }
                 for (int k = 0; k < 3; ++k) {
                     if (!at[k]) continue;
-                    was[k] = *at[k];                       /* 0: of the G-buffer */
+                    was[k] = *at[k];                       /* 0: the G-buffer's */
                     *at[k] = copy[k] = poisoned(p, was[k] ? was[k] : g.motion, poison[i].lane, poison[i].value, f);
                 }
                 kit_run_draw(&run, 0);
@@ -439,11 +440,11 @@ static void hostile_history(void)
     kit_scene_free(&scene);
 }
 
-/* What a frame says of the last one: size, jitter and field of view are followed; bad matrices and times refused, by
-   name. */
+/* The frame's data on the last frame: size, jitter and field of view are followed; bad matrices and times are refused
+   by name. */
 static void last_frames(void)
 {
-    /* a pixel is as wide as this many now, and at least one */
+    /* footprint: the width of a pixel of the last frame in this frame's pixels, at least 1 */
     static const struct { int width, height; double footprint; } sizes[] = { { 256, 144, 1 }, { 96, 18, 1.757404 },
                                                                              { 64, 36, 1 } };
     static const float times[][3] = { { 0, 1, 1 }, { 1, NAN, 1 }, { 1, 1, -1 } };

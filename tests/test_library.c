@@ -1,13 +1,12 @@
-/* test_library.c - the library of GLSL as it is written: every condition names a field, every call a function before
-   it, every row and function can be reached. */
+/* test_library.c - the library of GLSL as source: every condition names a field, every call a function before it, and
+   every row and function can be reached. */
 #include "own.h"
 #include <ctype.h>
 
 enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 
-/* Does a condition hold nothing but fields, facts of the pass, signs, and after a comparison a value of its field? In
-   GLSL all are macros, SSGI_FIELD and SSGI_FIELD_VALUE. Passes have no order: they are equal or not. Returns 1 if it
-   does. */
+/* Returns 1 if a condition consists of fields, facts of the pass, signs, and behind a comparison a value of its field.
+   In GLSL these are macros, SSGI_FIELD and SSGI_FIELD_VALUE. Passes have no order: they are only equal or not. */
 static int condition(const char *s, const char *end, int glsl)
 {
     static const ssgi_gl_desc none;
@@ -106,15 +105,15 @@ static void conditions(void)
     t_note("%d conditions in %d entries", count, CODES);
 }
 
-static int code_named(const char *name, size_t n, int before)      /* the last of that name before an entry; -1: none */
+static int code_named(const char *name, size_t n, int before)      /* its last entry before one; -1: none */
 {
     for (int i = before - 1; i >= 0; --i)
         if (strlen(ssgi_gl__library[i].name) == n && !memcmp(ssgi_gl__library[i].name, name, n)) return i;
     return -1;
 }
 
-/* Marks what is named; every name must be an entry before this one, a row, a function of desc.shader.fetch, or a
-   varying that this one declares. */
+/* Marks all names that are used. Each must be an earlier entry, a row, a function of desc.shader.fetch, or a varying
+   that the entry declares. */
 static void names(void)
 {
     static char reached[CODES], named[ROWS];
@@ -141,7 +140,7 @@ static void names(void)
     for (int i = CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *c = &ssgi_gl__library[i];
         int defines = 0, others = 0;
-        /* entries of one name */
+        /* all entries of one name count as reached */
         if (code_named(c->name, strlen(c->name), CODES) != i)
             reached[i] = reached[code_named(c->name, strlen(c->name), CODES)];
         CHECK(reached[i], "%s: nothing names it", c->name);
@@ -167,7 +166,7 @@ static void names(void)
                       c->name, (int)n, s);
                 defines |= s > line && isalpha((unsigned char)*line)
                            && (itself || (!strncmp(c->name, "main_", 5) && n == 4 && !memcmp(s, "main", 4)));
-                /* a constant or a global: what follows is its value */
+                /* a constant or a global, whose value follows */
                 if (itself && *line != ' ' && !strncmp(s + n, " = ", 3)) break;
                 others |= isalpha((unsigned char)*line) && s > line && s[n] == '(' && strncmp(line, "layout", 6)
                           && !itself && memcmp(s, "main", 4);
@@ -182,10 +181,10 @@ static void names(void)
             CHECK(ssgi_gl__rows[r].io.kind != SSGI_GL_IO_TEXTURE || ssgi_gl__rows[r].io.slot == ssgi_gl__rows[k].io.slot
                       || strcmp(ssgi_gl__rows[r].io.name, ssgi_gl__rows[k].io.name),
                   "texture %s has two units", ssgi_gl__rows[r].io.name);
-    for (int r = 0; r < ROWS; ++r)         /* the emitter names one itself: see >>library */
-        CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_slice"), "row %s: nothing can name it",
+    for (int r = 0; r < ROWS; ++r)         /* the emitter names that row: see >>library */
+        CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_layer"), "row %s: nothing can name it",
               ssgi_gl__rows[r].io.name);
-    for (int r = 0; r < ROWS; ++r) {       /* a texture of yours is where the emitter would put a slice in */
+    for (int r = 0; r < ROWS; ++r) {       /* fetches at u_ssgi_origin get a layer, so they must be of your textures */
         char at[80];
         int fetched = 0;
         snprintf(at, sizeof at, "%s, p + u_ssgi_origin, 0", ssgi_gl__rows[r].io.name);
@@ -201,7 +200,7 @@ static void names(void)
     }
 }
 
-/* Whether all lines of a text that set a name have one of two words, and there is a line. */
+/* Whether every line that sets a name contains one of two words, and there is such a line. */
 static int set_by(const char *text, const char *name, const char *word, const char *other)
 {
     char is[40], line[160];
@@ -216,9 +215,9 @@ static int set_by(const char *text, const char *name, const char *word, const ch
     return lines > 0;
 }
 
-/* Whether no texture and no frame moves what a loop counts to: literals, constants, lengths of arrays; a name that is
-   clamped by a constant or by the rows of the texture; counts that are one of two constants, or that calls give; the
-   reach of a level that is clamped. */
+/* Whether a loop's bound is limited whatever textures and the frame hold: a literal, a constant or an array's length; a
+   name that is clamped by a constant or by the rows of a texture; a count that is one of two constants or a call's
+   result; the reach of a clamped level. */
 static int bounded(const char *text, const char *bound)
 {
     static const char *const constants[] = { "more", "layers", "count" };
@@ -230,8 +229,8 @@ static int bounded(const char *text, const char *bound)
                && set_by(text, "level", ", SSGI_", ", textureSize("));
 }
 
-/* Returns the loop of a text that might not end whatever textures and the frame hold; NULL: all do. Loops count up by a
-   literal, or over the bits of an integer; what else moves the counter is clamped to 0 or more. */
+/* Returns a loop that might not end with some textures or frame; NULL: all loops end. A loop counts up by a literal, or
+   over the bits of an integer; anything else that moves its counter is clamped to 0 or more. */
 static const char *endless(const char *text)
 {
     char i[16], from[24], test[80], step[16], of[16], less[3], bound[64], counted[2][40], by[16];
@@ -283,7 +282,7 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
     memcpy((char *)d + c->offset, &value, sizeof value);
 }
 
-/* What other languages go by: the tables leave nothing of the structs out, and what zeros mean gives the same text. */
+/* Other languages rely on the tables: these have every member of the structs, and a 0 gives the text of the default. */
 static void reflection(void)
 {
     const size_t ints = offsetof(ssgi_gl_desc, shader.version) / sizeof(int);
@@ -331,7 +330,7 @@ static void reflection(void)
 
 /* ---- how fields are resolved ------------------------------------------------------------------------------------- */
 
-/* A desc with fields at random, as one field in three is set, that is accepted. */
+/* A random desc that is accepted; one field in three is set. */
 static ssgi_gl_desc any_desc(int pass)
 {
     for (;;) {
@@ -347,15 +346,15 @@ static ssgi_gl_desc any_desc(int pass)
     }
 }
 
-/* Rules read the desc as given, and others' results only where they say so. So their order does not matter: of a
-   field's rules one holds at most, and none waits for itself. */
+/* Rules read the desc as given, and other rules' results only where they say so. So their order does not matter: at
+   most one rule of a field holds, and none depends on itself. */
 static void rules_have_no_order(void)
 {
     enum { ORDERS = 10, DESCS = 400 };
     static ssgi_gl__rule drawn[ORDERS][SSGI_GL__RULES];
     t_seed(74);
     for (int k = 0; k < ORDERS; ++k)
-        for (int i = 0; i < SSGI_GL__RULES; ++i) {         /* Each is put before one of those that are there. */
+        for (int i = 0; i < SSGI_GL__RULES; ++i) {         /* Each rule is put before a random earlier one. */
             const int at = (int)t_below((uint32_t)i + 1);
             drawn[k][i] = drawn[k][at];
             drawn[k][at] = ssgi_gl__rules[i];
@@ -378,8 +377,8 @@ static void rules_have_no_order(void)
     }
 }
 
-/* Fields of the camera, of your textures and of the language are of all passes. The row of any other field says which
-   passes look at it, or a rule does: elsewhere it is resolved to 0, so that #if lines need not ask for the pass. */
+/* Fields of the camera, of your textures and of the language belong to all passes. For any other field its row, or a
+   rule, says which passes look at it. For the other passes it is 0, so that #if lines need not ask for the pass. */
 static void fields_have_their_passes(void)
 {
     for (int i = 1; i < SSGI_GL__FIELDS; ++i) {

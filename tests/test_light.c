@@ -1,5 +1,5 @@
-/* test_light.c - ssdo, lights and emitters through the whole of GL: furnace (of s3ho too), closed forms of corners and
-   layers (of AO too), shadows, virtual lights, margins. */
+/* test_light.c - ssdo, lights and emitters, drawn: the furnace (of s3ho, too), closed forms of corners and layers (of
+   AO, too), shadows, virtual lights, margins. */
 #include "t.h"
 #include "frames.h"
 
@@ -14,7 +14,7 @@ enum { W = 112, H = 63 };
 
 /* ---- furnace ----------------------------------------------------------------------------------------------------- */
 
-/* Makes every surface of a run send 1 from now on: copies of its emitters, with that radiance, in place of them. */
+/* Replaces a run's emitters by copies with a radiance of 1, so that every surface sends 1. */
 static int shine(kit_run *run)
 {
     const ssgi_gl_desc *d = NULL;                                              /* of the last gather */
@@ -51,8 +51,8 @@ static void furnace(void)
     enum { SMALL_W = 72, SMALL_H = 40 };
     enum {
         EXACT,
-        ONE_SIDED /* no more */,
-        TWICE /* two gathers, whose depths are rounded apart: all but a sample in 10,000 */,
+        ONE_SIDED /* at most 1 */,
+        TWICE /* two gathers, whose rounded depths differ: but for a sample in 10,000 */,
         HALVES,
         KINDS
     };
@@ -107,7 +107,7 @@ static void furnace(void)
         if (!set_scene(&s, row[i].scene, NULL, NULL, NULL, SMALL_W, SMALL_H)
             || !begin(&run, &s.g, row[i].method, row[i].set, s.scene.radius, &s.scene, &l))
             return;
-        /* the picture's have a few 1e-6 in higher bands */
+        /* the projected picture would have a few 1e-6 in higher bands */
         ssgi_gl_harmonics_set(&run.frame, uniform, 1, NULL, NULL);
         if (!shine(&run) || !drawn(&out, &run)) return;
         const float *light = kit_image_channel(&out, "irradiance.G"), *bounce = kit_image_channel(&out, "bounce.G");
@@ -128,7 +128,8 @@ static void furnace(void)
     kit_image_free(&l.env);
 }
 
-/* In uniform light a white corner sends as much as comes in, bounce after bounce; one bounce leaves some out. */
+/* In uniform light a white corner sends all that comes in if light bounces again and again; a single bounce loses
+   some. */
 static void further_bounces(void)
 {
     static const char *const sets[2] = { "reuse=1,two_sided=1", "reuse=1,two_sided=1,bounced=1" };
@@ -173,12 +174,12 @@ static double square_corner(double c)
     const double s = sqrt(1 - c * c);
     return (acos(c) - 3 * c * s + 2 * c * c * acos(c)) / pi;
 }
-/* Of a wall that sends 1, patches as the paper has them, but never clamped: a sum over directions. */
+/* The bounce of a wall that sends 1, by the paper's patches without clamping: a sum over directions. */
 static double patch_corner(double c) { return c < 0.2 ? 0.5523 : c < 0.4 ? 0.19207 : 0.050944; }
 
-enum { DARK, SENDS, BACK /* the wall shows its other side */ };
+enum { DARK, SENDS, BACK /* the wall's normals point away from the floor */ };
 
-/* The corner's picture, of a floor that sends nothing. */
+/* The corner's G-buffer. The floor sends nothing. */
 static int corner(kit_gbuffer *g, double c, int wall)
 {
     double plane[2][4];
@@ -196,9 +197,9 @@ static int corner(kit_gbuffer *g, double c, int wall)
     return ok;
 }
 
-/* What is dark of a white sky, and what the wall sends, before a wall without end and before slabs. Few taps miss an
-   expected share of the free directions: an occluder between two taps lies, on the mean, between their distances. Areas
-   of patches are meant for uniform directions, of which ours, at midpoints of strata, miss some near the horizon:
+/* The dark share of a white sky, and the light of the wall, before an endless wall and before slabs. Few samples miss
+   an expected share of the free directions, as an occluder between two samples lies, on the mean, between their
+   distances. Areas of patches suit uniform directions. Ours, at midpoints of strata, miss some light near the horizon:
    1/sqrt(N) a third. */
 static void corners_are_closed_forms(void)
 {
@@ -207,12 +208,12 @@ static void corners_are_closed_forms(void)
 #define WITHIN(off) -(off), off
 #define ENDLESS 0, 0, 0, 0
 #define FEW_TAPS 0.013, 0.023, 0.25, 0, 0, 0
-    static const double at[3] = { 0.1, 0.25, 0.5 }, gap = 0.15, reach = 0.2; /* of what has no back, across */
+    static const double at[3] = { 0.1, 0.25, 0.5 }, gap = 0.15, reach = 0.2; /* across, without a back */
     static const struct {
         const char *method, *set;
         double (*falls)(double c);
         int steps, wall, phases;
-        double low, high;                      /* off the truth; of what is sent, by this share of it */
+        double low, high;                      /* limits of the error; of SENDS, as a share of the truth */
         double c, thickness;                   /* of a slab */
         int layers, ends;
     } row[] = {
@@ -281,7 +282,7 @@ static void corners_are_closed_forms(void)
             const double off = seen == DARK ? 1 - got - truth : got / truth - 1;
             CHECK(off >= row[m].low && off <= row[m].high, "%s %s, c %g, %g thick: %+.4f off %.4f", row[m].method,
                   row[m].set, c, row[m].thickness, off, truth);
-            if (seen == SENDS && run.kernel && i == 2) {   /* a kernel of your own, one direction level */
+            if (seen == SENDS && run.kernel && i == 2) {   /* replaces a kernel direction by a level one */
                 static const float level[4] = { 0.6f, 0.8f, 0, 0.5f };
                 glBindTexture(GL_TEXTURE_2D, run.kernel);
                 glTexSubImage2D(GL_TEXTURE_2D, 0, 3, 0, 1, 1, GL_RGBA, GL_FLOAT, level);
@@ -296,7 +297,7 @@ static void corners_are_closed_forms(void)
     kit_image_free(&white.env);
 }
 
-/* What harmonics cannot carry, a frame's own radiance, and storage that a gather of two has no room for. */
+/* Refuses settings that harmonics cannot carry, a frame's own radiance, and storage without room for the bounce. */
 static void settings_are_refused(void)
 {
     static const struct { const char *set; int wall; const char *says[2]; } row[] = {
@@ -329,8 +330,8 @@ static void settings_are_refused(void)
 
 /* ---- lights ------------------------------------------------------------------------------------------------------ */
 
-/* The floor y = 0, a wall from z = -1 to -1.1; a light before it and one behind, both nearer than the radius; the floor
-   before the wall is looked at. */
+/* The floor y = 0, a wall from z = -1 to -1.1, one light before and one behind the wall, both nearer than the radius.
+   The floor before the wall is compared. */
 static void segments_end_at_lights(void)
 {
     static const box wall = { { -3, 0, -1.1f }, { 3, 1.5f, -1 } };
@@ -371,8 +372,8 @@ static void segments_end_at_lights(void)
 
 /* ---- shadow maps ------------------------------------------------------------------------------------------------- */
 
-/* A sun that shines down -z on a plane whose normal stands this far from it, half to the right and half up: its slope
-   runs along the map's texels' diagonal. */
+/* A sun shines down -z on a plane that is tilted by this angle, half to the right and half up, so that it slopes along
+   the diagonal of the map's texels. */
 static void planes_do_not_shadow_themselves(void)
 {
     static const double tilts[] = { 60, 70, 80 };
@@ -387,7 +388,7 @@ static void planes_do_not_shadow_themselves(void)
         kit_gbuffer g;
         kit_image out;
         if (!TRY(kit_scene_load(&scene, "plane", 0, &err))) return;
-        for (size_t i = 0; i < 3 * scene.mesh.triangles; ++i) {     /* y = 0 becomes the plane */
+        for (size_t i = 0; i < 3 * scene.mesh.triangles; ++i) {     /* moves the plane y = 0 there */
             float *p = scene.mesh.position + 3 * i, *m = scene.mesh.normal + 3 * i;
             const double x = (double)p[0], z = (double)p[2];
             for (int j = 0; j < 3; ++j) { p[j] = (float)(0.02 * (x * u[j] + z * v[j])); m[j] = (float)n[j]; }
@@ -413,8 +414,8 @@ static void planes_do_not_shadow_themselves(void)
     CHECK(!wrong && seen > 3 * W * H, "%d pixels of a bare plane, of %d, are in shadow or wrong", wrong, seen);
 }
 
-/* How far every pixel's surface is from what first stands between it and a sun; 0 where nothing does, -1 where there is
-   no surface. To be freed. */
+/* The distance from each pixel's surface to the first occluder toward a sun; 0: no occluder, -1: no surface. To be
+   freed. */
 static float *blockers_new(const kit_scene *scene, const kit_light *sun)
 {
     const int width = scene->camera.width, height = scene->camera.height;
@@ -441,13 +442,13 @@ static float *blockers_new(const kit_scene *scene, const kit_light *sun)
     return distance;
 }
 
-/* A sun's maps, filled and not, beside what a ray toward the sun meets. Over a hundred shapes to the far end of the
-   ground: near ones in fine texels, far ones in their shadows all the same. Pebbles: of contact shadows, which the
-   maps' bias loses, a third is filled. Coarse maps, and creases a pixel wide: what is filled is in shadow. */
+/* A sun's maps, with and without filling, against rays toward the sun. COVERED: over a hundred shapes to the far end of
+   the ground; far ones still get their shadows. FILLED, pebbles: the maps' bias loses contact shadows, and filling
+   brings a third back. SPARED: coarse maps, and creases a pixel wide: filling hardly adds a wrong shadow. */
 static void suns_shadow_what_they_should(void)
 {
     enum { COVERED, FILLED, SPARED };
-    enum { LOST /* lit, though something is in between */, CONTACT /* of these near it */, RIGHT, PARTS };
+    enum { LOST /* lit, though occluded */, CONTACT /* of these, near the occluder */, RIGHT, PARTS };
     static const struct { const char *scene, *light, *set; int width; } row[] = {
         { "crowd", "sun:1,0.3,0.5,3,3,3", "bounce=none,shadow_size=2048", 320 },
         { "pebbles", "sun:1,0.35,0.3,3,3,3", "bounce=none,shadow_size=512", 640 },
@@ -486,7 +487,7 @@ static void suns_shadow_what_they_should(void)
     }
 }
 
-/* In a closed box light is its truth, pixel by pixel; virtual lights bring what a bounce within the radius lacks. */
+/* In a closed box direct light is the truth at each pixel, and virtual lights add the bounce from beyond the radius. */
 static void point_light_in_a_box(void)
 {
     enum { MAP, FILL, VIRTUAL, BOTH, NEAR_ALONE, WAYS };
@@ -523,7 +524,7 @@ static void point_light_in_a_box(void)
     strike(&s);
 }
 
-/* With a margin the picture is what the middle of a larger picture is, bit by bit; what lies around it is not drawn. */
+/* With a margin the picture equals the middle of a larger picture, bit by bit, and passes draw only the picture. */
 static void margins(void)
 {
     static const struct { const char *method, *set; int rim; } rows[] = {
@@ -546,7 +547,7 @@ static void margins(void)
         char set[128];
         kit_image inner, whole;
         int off = 0, shown = 0;
-        /* orthographic: 0.45 units are 0.45 * 49 / 3 = 7.35 pixels, 1.5 radii 11.03: over the most, 49 / 16 * 4 */
+        /* orthographic: 0.45 units are 0.45 * 49 / 3 = 7.35 pixels, 1.5 radii 11.03: more than 49 / 16 * 4 */
         const int expected = r % 2 ? 12 : 8;
         snprintf(set, sizeof set, "%s,margin=%s", rows[r].set, r % 2 ? "1.7" : "1");
         if (!TRY(kit_gbuffer_widen(&wide, &s.g, &s.scene, expected, &err))
@@ -563,7 +564,7 @@ static void margins(void)
                               + (y + expected) * whole.width + expected, 67 * sizeof(float)) != 0;
         CHECK(!off, "%s %s: %d rows are not those of a larger picture", rows[r].method, rows[r].set, off);
         const kit_pass *p =
-            &run.pass[run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS]; /* widths are of all that is seen */
+            &run.pass[run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS]; /* thickness is of all that is seen */
         const int half = p->desc.gather.resolution ? 2 : 1, drawn_columns = half * p->box[2];
         CHECK(rows[r].rim < 0 ? !p->box[2] : abs(drawn_columns - 67 - 2 * rows[r].rim) < half, "%s %s: its first pass "
               "draws %d columns", rows[r].method, rows[r].set, drawn_columns);

@@ -1,4 +1,4 @@
-/* test_math.c - ssgi.h's rooms of view, bias, kernel, sh and environment against double precision and closed forms. */
+/* test_math.c - ssgi.h's rooms of view, bias, kernel, sh and environment, against double precision and closed forms. */
 #include "frames.h"
 #include "ssgi.h"
 
@@ -7,9 +7,9 @@
 
 #define PI 3.14159265358979323846
 
-void arguments_refused(void); /* arguments.c */
+void arguments_refused(void); /* in arguments.c */
 
-/* The greatest of errors so far; one that is no number is without end. */
+/* Keeps the largest error so far. NaN counts as infinite. */
 static void grow(double *worst, double error)
 {
     error = fabs(error);
@@ -52,7 +52,7 @@ static layout layout_at(int i, double n, double f)
     return all[i];
 }
 
-/* off-centre; y down in every other layout; scaled as a whole in every third */
+/* off-centre; every second layout has y down; every third is scaled as a whole */
 static void matrix(float m[16], const layout *l, int i)
 {
     const float c = i % 3 ? 1.0f : 2.0f, high = i & 1 ? -2.1f : 2.1f;
@@ -67,7 +67,7 @@ static void matrix(float m[16], const layout *l, int i)
     m[8] = m[9] = m[11] = 0;
 }
 
-/* Clip space over w, along x, y and z, of what the matrix makes of a point in double. */
+/* Normalised device coordinates of a point by the matrix, in double. */
 static void by_matrix(double ndc[3], const float m[16], const float p[3])
 {
     double w = (double)m[15];
@@ -81,8 +81,8 @@ static void by_matrix(double ndc[3], const float m[16], const float p[3])
 
 static void views(void)
 {
-    static const double eyes[] = { 0, 1e5, -1, -50 },     /* how much farther away orthographic eyes stand */
-                        units[] = { 1, 1e-6, 1e-17, 1e9 }; /* what others see */
+    static const double eyes[] = { 0, 1e5, -1, -50 },     /* by how much farther away orthographic eyes stand */
+                        units[] = { 1, 1e-6, 1e-17, 1e9 }; /* of others */
     for (int e = 0; e < 4 * LAYOUTS; ++e) {
         const int i = e / 4, flat = layout_at(i, 1, 100).ortho;
         const double n = flat ? 1 + eyes[e % 4] : units[e % 4], f = flat ? 100 + eyes[e % 4] : 100 * units[e % 4];
@@ -107,11 +107,11 @@ static void views(void)
         ssgi_view_from_projection(&turned, m, l.clip, 1920, 1080, NULL);
         for (int k = 1; k < 16; k += 4) m[k] = -m[k];
         CHECK(!memcmp(&down, &turned, sizeof down), "%s: rows that run down", l.name);
-        for (size_t k = 0; k < 3; ++k) {                 /* the matrix as given, in double; window depth as a float */
+        for (size_t k = 0; k < 3; ++k) {                 /* by the matrix in double, with window depth as a float */
             const double z = depths[k], w = (double)m[11] * -z + (double)m[15],
                          deep = ((double)m[10] * -z + (double)m[14]) / w;
             const float window = (float)fmin(fmax(l.clip == SSGI_CLIP_GL ? 0.5 * deep + 0.5 : deep, 0), 1);
-            /* roundings of window depth and of the sum's terms: the layout's own cost */
+            /* the loss of the layout itself: rounding of window depth and of the sum's terms */
             const double lost = 1.2e-7 * fmax(fabs((double)view.depth[0]), fabs((double)(view.depth[1] * window))),
                          within = l.ortho ? lost : z * z * lost, got = (double)ssgi_view_depth(&view, window);
             CHECK(fabs(got - z) <= 1e-6 * fabs(z) + within, "%s: depth %.9g of %g", l.name, got, z);
@@ -137,7 +137,7 @@ static void views(void)
     }
 }
 
-/* Camera axes as a rigid matrix: z any direction, turned about it by chance. */
+/* A rigid matrix of camera axes: z is given, and the turn about it is random. */
 static void rigid(float m[16], const float z[3])
 {
     float axis[3][3], aside[3];
@@ -160,7 +160,7 @@ static void through(const float m[16], const float p[3], float w, float out[3])
     for (int i = 0; i < 3; ++i) out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i] * w;
 }
 
-/* Left-handed: z is all that changes. Oblique: what the matrix, in double, makes of a point comes back. */
+/* Left-handed: only z changes. Oblique: depth comes back from a point that the matrix projects in double. */
 static void engines_views(void)
 {
     for (int i = 0; i < LAYOUTS; ++i) {
@@ -202,12 +202,12 @@ static void engines_views(void)
     }
 }
 
-/* A camera whose centre is so many radii away, in any direction or along the main camera's up. In a world with z
-   mirrored it is mirrored, too. */
+/* An extra camera whose eye is so many radii from its centre, in any direction or along the main camera's up. A world
+   with z mirrored gives a mirrored camera. */
 static void extra_camera_at(int t)
 {
     float z[3], main_view[16], view[16], mirrored[16], clip[16], centre[3], offset[3], p[3], up[3], pixel[3];
-    /* 1/sin 50 = 1.305 radii: nearer, the angle is held */
+    /* nearer than 1/sin 50 = 1.305 radii the angle is limited */
     const float radius = expf(t_uniform(-3, 3)), far_away = t % 3 ? t_uniform(1.35f, 6) : t_uniform(0.05f, 1.3f);
     const float reach = far_away * radius, within = 1e-4f * (reach + radius + 10);
     const char *why = "";
@@ -218,7 +218,7 @@ static void extra_camera_at(int t)
     direction(z);                                        /* from the centre to the new eye */
     if (t % 10 == 0) memcpy(z, up, sizeof z);
     for (int k = 0; k < 3; ++k) offset[k] = t_uniform(-3, 3);
-    /* the eye as main eye + radius * displacement; the centre so that z and the distance come out */
+    /* the eye is main eye + radius * displacement; the centre follows from z and the distance */
     for (int k = 0; k < 3; ++k) {
         float eye = 0;
         for (int i = 0; i < 3; ++i) eye += main_view[4 * k + i] * (radius * offset[i] - main_view[12 + i]);
@@ -264,7 +264,7 @@ static void extra_camera_at(int t)
                   && (double)pixel[2] > near_plane * 0.999 && (double)pixel[2] < far_plane * 1.001,
               "extreme point %d at %g %g, depth %g", i, (double)pixel[0], (double)pixel[1], (double)pixel[2]);
     }
-    /* where the view's right edge touches the sphere */
+    /* where the right edge of the view touches the sphere */
     const float touch[3] = { radius * sqrtf(1 - 1 / (far_away * far_away)), 0, -(far_away - 1 / far_away) * radius };
     ssgi_view_project(pixel, &v, touch);
     CHECK(fabsf(pixel[0] - 1000) < 0.1f, "the sphere's outline at %g, not at the edge", (double)pixel[0]);
@@ -272,7 +272,7 @@ static void extra_camera_at(int t)
 
 static void extra_cameras(void)
 {
-    /* eye (0,0,2), two radii away */
+    /* the eye is at (0,0,2), two radii away */
     const float main_view[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 }, origin[3] = { 0, 0, 0 },
                 onto[3] = { 0, 0, -2 }, above[3] = { 0, 2, -2 };
     static const double angles[4][2] = { { -60, 20 }, { 60, 20 }, { 0, 75 }, { 180, 50 } };      /* to the side, up */
@@ -283,7 +283,7 @@ static void extra_cameras(void)
         ssgi_extra_camera(view, clip, main_view, origin, 1, d, NULL);
         const double side = angles[i][0] * PI / 180, high = angles[i][1] * PI / 180,
                      turned[3] = { 2 * sin(side) * cos(high), 2 * sin(high), 2 * cos(side) * cos(high) };
-        for (int k = 0; k < 3; ++k)                      /* minus translation along the axes: the eye */
+        for (int k = 0; k < 3; ++k)                      /* minus the translation along the axes: the eye */
             CHECK(fabs(-dot(view + 4 * k, view + 12) - turned[k]) < 2e-5, "default %d: eye's %d is %g", i, k,
                   -dot(view + 4 * k, view + 12));
     }
@@ -323,7 +323,7 @@ static void kernels(void)
     }
 }
 
-/* The other kinds: the same points of the square, and the same lengths, with heights whose sums are exact. */
+/* The other kinds have the same points of the square and the same lengths, with heights whose sums are exact. */
 static void spread(void)
 {
     static float k[4 * SETS * SAMPLES], d[4 * SETS * SAMPLES];
@@ -352,7 +352,7 @@ static void spread(void)
     }
 }
 
-/* Windows: w and h worked out by hand. Distance: of a set's nearest copy, squared. */
+/* w, h: windows, worked out by hand. distance: squared, between a set's nearest copies. */
 static void tiles(void)
 {
     static const struct { int size, sets, w, h, distance;
@@ -395,7 +395,7 @@ static void tiles(void)
     }
 }
 
-/* Greatest difference between the share of points in a box at the origin and its area, over the boxes that the points
+/* The largest difference between a box' share of the points and its area, over the boxes at the origin that points
    span. */
 static double discrepancy(double (*p)[2], int n)
 {
@@ -452,7 +452,7 @@ static void evenness(void)
 enum { SKY = 64, CUBE = 24, MOST = SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS };
 static const float axis_z[3] = { 0, 0, 1 };
 
-/* The channel at a direction; factor: of each band, NULL: 1. */
+/* The value of a channel in a direction. factor: of each band, NULL: 1. */
 static double value(const float *coefficients, int channels, int bands, const float d[3], const double *factor)
 {
     float basis[MOST];
@@ -467,7 +467,7 @@ static double value(const float *coefficients, int channels, int bands, const fl
 /* 2 pi times the integrals of z P_l(z) over [0,1]. */
 static const double cosine[SSGI_SH_MAX_BANDS] = { PI, 2 * PI / 3, PI / 4, 0, -PI / 24, 0 };
 
-/* The Legendre polynomial. */
+/* The Legendre polynomial P_l. */
 static double legendre(int l, double c)
 {
     double now = 1, before = 0;
@@ -479,7 +479,8 @@ static double legendre(int l, double c)
     return now;
 }
 
-/* OpenEXR's: latitude falls from pi/2, longitude from pi; +z at the centre, +x left of it. Returns a solid angle. */
+/* The direction of a pixel as in OpenEXR: latitude falls from pi/2, longitude from pi; +z central. Returns a solid
+   angle. */
 static double equirect(float d[3], int i, int width, int height)
 {
     const double lat = PI * (0.5 - (i / width + 0.5) / height), lon = PI - 2 * PI * (i % width + 0.5) / width;
@@ -489,7 +490,7 @@ static double equirect(float d[3], int i, int width, int height)
     return (sin(lat + PI / 2 / height) - sin(lat - PI / 2 / height)) * 2 * PI / width;
 }
 
-/* An environment of bands 0..2 with the coefficients; band 0 lifts it above 0. */
+/* An environment of bands 0..2 by random coefficients; band 0 keeps it above 0. */
 static void smooth(float *rgb, float coefficients[27], int width, int height)
 {
     float d[3];
@@ -500,7 +501,7 @@ static void smooth(float *rgb, float coefficients[27], int width, int height)
     }
 }
 
-/* The table's functions; for the bands that it leaves out, the addition theorem. */
+/* The table's functions, and for the bands that it leaves out the addition theorem. */
 static void harmonics(void)
 {
     static const double constant[16] = { 0.28209479177387814, 0.48860251190291992, 0.48860251190291992,
@@ -530,7 +531,7 @@ static void harmonics(void)
             CHECK(fabs(sum * 4 * PI / (2 * l + 1) - legendre(l, c)) < 1e-5, "band %d at cosine %g: %.9g", l, c, sum);
             zonal[l] = (float)(cosine[l] * sqrt((2 * l + 1) / (4 * PI)));
         }
-        /* an open point's transfer, about any normal */
+        /* the transfer of an open point about any normal */
         ssgi_sh_zonal(turned, 6, zonal, a);
         for (int i = 0; i < 36; ++i)
             CHECK(fabs((double)turned[i] - cosine[(int)sqrt(i)] * (double)ya[i]) < 1e-6, "coefficient %d: %g", i,
@@ -572,7 +573,7 @@ static void projections(void)
 
 /* ---- >>sh: windows, lights, rotation, products ------------------------------------------------------------------- */
 
-/* The most that a mask which lets through what is below 0, and nothing else, takes of any surface's light. */
+/* The largest light that a mask takes from any surface if it passes only directions in which the series is below 0. */
 static double worst_mask(const float *c, int bands)
 {
     enum { PANELS = 128, TURNS = 180 };
@@ -630,7 +631,7 @@ static void windows(void)
               "window %d, %d bands: least irradiance %.6g, of the light %.6g, by any mask %.6g", row[t].window, bands,
               least, lowest / row[t].peak, worst);
     }
-    /* the Legendre coefficients of ((1 + z)/2)^p over the first: each is (p - l) / (p + l + 2) of the one before */
+    /* the Legendre coefficients of ((1 + z)/2)^p over the first: each is (p - l) / (p + l + 2) times its predecessor */
     for (int bands = 1; bands <= 6; ++bands) {
         double positive = 1;
         for (int window = SSGI_SH_WINDOW_HANN; window <= SSGI_SH_WINDOW_POSITIVE; ++window) {
@@ -686,7 +687,7 @@ static void lights(void)
 static void rotations(void)
 {
     for (int t = 0; t < 120; ++t) {
-        const int bands = 1 + t % 6, channels = t % 4 * 2 - 1, count = channels * bands * bands;   /* -1 is none */
+        const int bands = 1 + t % 6, channels = t % 4 * 2 - 1, count = channels * bands * bands;   /* -1: no channels */
         float f[5 * MOST], turned[5 * MOST], twice[5 * MOST], at_once[5 * MOST], z[3], d[3], e[3], m[2][16], both[16];
         for (int i = 0; i < 5 * MOST; ++i) {
             f[i] = t_uniform(-1, 1);
@@ -742,14 +743,14 @@ static void octahedral(void)
         const float length = (float)sqrt(dot(d, d)), size = expf(t_uniform(-60, 40));
         for (int i = 0; i < 3; ++i) d[i] /= length;
         const float any[3] = { size * d[0], size * d[1], size * d[2] };
-        ssgi_octahedral_encode(e, any);                  /* whatever the length */
+        ssgi_octahedral_encode(e, any);                  /* of any length */
         ssgi_octahedral_decode(back, e);
         CHECK(fabsf(e[0]) <= 1 && fabsf(e[1]) <= 1 && dot(d, back) > 1 - 1e-6 && fabs(dot(back, back) - 1) < 1e-6,
               "%g %g %g to %g %g to %g %g %g", (double)d[0], (double)d[1], (double)d[2], (double)e[0], (double)e[1],
               (double)back[0], (double)back[1], (double)back[2]);
         e[0] = t_uniform(-1, 1);
         e[1] = t_uniform(-1, 1);
-        ssgi_octahedral_decode(back, e);                 /* the GLSL twin, word for word */
+        ssgi_octahedral_decode(back, e);                 /* the GLSL function, word for word */
         float n[3] = { e[0], e[1], 1 - fabsf(e[0]) - fabsf(e[1]) };
         const float fold = fmaxf(-n[2], 0);
         for (int i = 0; i < 2; ++i) n[i] += n[i] >= 0 ? -fold : fold;
@@ -769,7 +770,7 @@ static void environment_maps(void)
     float d[3], given[27];
     for (size_t k = 0; k < sizeof angles / sizeof angles[0]; ++k) {
         const double kappa = 4 * PI / fmax((double)angles[k], 0.05), mean_cosine = 1 / tanh(kappa) - 1 / kappa;
-        /* what it leaves of a band */
+        /* the lobe's factor of each band */
         const double lobe[3] = { 1, k ? mean_cosine : 2.0 / 3, k ? 1 - 3 * mean_cosine / kappa : 0.25 };
         double worst = 0, mean = 0, all = 0;
         for (int s = 0; s < 4; ++s) {
@@ -785,7 +786,7 @@ static void environment_maps(void)
         ssgi_environment_map(map[0], SIDE, rgb, 300, 150, angles[k], NULL);
         for (int i = 0; i < SIDE * SIDE; ++i) {
             map_direction(d, SIDE, i);
-            /* the solid angle of a square of the octahedron */
+            /* a texel's solid angle is proportional to 1/s^3 */
             const double s = fabs((double)d[0]) + fabs((double)d[1]) + fabs((double)d[2]), weight = s * s * s;
             for (int c = 0; c < 3; ++c)
                 grow(&worst, ((double)map[0][3 * i + c] - value(given + c, 3, 3, d, lobe)) * sqrt(4 * PI)
@@ -798,7 +799,7 @@ static void environment_maps(void)
               (double)given[0] / sqrt(4 * PI));
         t_note("lobe of %g sr: worst error %.2g of the mean", (double)angles[k], worst);
     }
-    /* what is no light counts as 0, everywhere */
+    /* negative, infinite and NaN values count as 0 in each function */
     ssgi_sun suns[2][5];
     float sh[2][27];
     const float kept = rgb[30000];
@@ -817,8 +818,8 @@ static void environment_maps(void)
           "what is not finite or negative does not count as 0");
 }
 
-/* A sky of 1 with a disc of 101, 6 degrees in radius, 40 degrees up: within the cones, across their rims and
-   outside. */
+/* A sky of 1 with a disc of 101, which has a radius of 6 degrees and is 40 degrees up: inside of the cones, across
+   their rims and outside. */
 static void environment_cones(void)
 {
     enum { W = 480, H = 240, SIDE = 32, PARTS = 400 };
@@ -840,7 +841,7 @@ static void environment_cones(void)
         const double C = (double)cosines[k], half = fmin(C, 3.75 * PI / 180 * sqrt(1 - C * C)), rim = acos(C),
                      inside = 1e2 * pow(sin(radius), 2) / (1 - C * C);
         double worst = 0, across = 0, through_all = 0;
-        for (int s = 0; s < PARTS; ++s) {                /* the ramp as documented, over all of it */
+        for (int s = 0; s < PARTS; ++s) {                /* integrates the documented ramp */
             const double part = (1 - C + half) / PARTS, at = C - half + part * (s + 0.5);
             through_all += 2 * PI * part * at * (half > 0 ? fmin((at - C + half) / (2 * half), 1) : 1);
         }
@@ -848,7 +849,7 @@ static void environment_cones(void)
         for (int i = 0; i < SIDE * SIDE; ++i) {
             map_direction(d, SIDE, i);
             const double towards = dot(d, sun), angle = acos(fmin(fmax(towards, -1), 1)), is = (double)map[3 * i];
-            double seen = 0;                             /* the disc through it: 12 rings of 24 parts */
+            double seen = 0;                             /* the disc through the ramp: 12 rings of 24 parts */
             for (int part = 0; part < 12 * 24; ++part) {
                 const double r = radius * sqrt((part / 24 + 0.5) / 12), turn = 2 * PI * (part % 24 + 0.5) / 24,
                              at = cos(r) * cos(angle) + sin(r) * sin(angle) * cos(turn),
@@ -858,7 +859,7 @@ static void environment_cones(void)
             grow(&across, (is - 1 - 1e2 * seen / through_all) / (1 + inside));
             CHECK(fabsf(map[3 * i + 1] / 0.7f - 1) < 1e-6f && map[3 * i + 2] == 0.0f, "constant, cosine %g: %.9g", C,
                   (double)map[3 * i + 1]);
-            /* ramp and cell */
+            /* the ramp's and a cell's width */
             if (angle > rim + radius + 0.14) CHECK(fabs(is - 1) < 1e-5, "cosine %g, outside: %.9g", C, is);
             else if (angle < rim - radius - 0.14) grow(&worst, is / (1 + inside * towards) - 1);
         }
@@ -869,7 +870,7 @@ static void environment_cones(void)
     }
 }
 
-/* The suns of an image: the sum of their irradiances, how many are lit, the least and most luminance; unit ones. */
+/* Of an image's suns: the sum of irradiances, the least and most luminance, how many are lit. Directions are unit. */
 typedef struct summed { double sum[3], least, most; int lit; } summed;
 
 static summed cut(ssgi_sun *suns, int count, const float *rgb, int width, int height)
@@ -895,7 +896,7 @@ static void sunlight(void)
     static float rgb[3 * 600 * 150];
     static ssgi_sun suns[1024];
     float d[3];
-    for (int wide = 0; wide < 2; ++wide) {               /* sides above 256 are cut in two looks */
+    for (int wide = 0; wide < 2; ++wide) {               /* above 256 a side is cut in two steps */
         const int width = wide ? 600 : 64, height = wide ? 150 : 32;
         double total[3] = { 0, 0, 0 };
         for (int i = 0; i < 3 * width * height; ++i) {
@@ -912,7 +913,7 @@ static void sunlight(void)
                       height, s.least, s.most);
         }
     }
-    for (int t = 0; t < 60; ++t) {                       /* one lit texel: one sun, exactly there */
+    for (int t = 0; t < 60; ++t) {                       /* one lit texel gives one sun, exactly there */
         const int width = t % 2 ? 500 : 32, height = 20, at = (int)t_uniform(0, (float)(width * height)),
                   count = 1 + t % 20;
         const double energy = 3 * equirect(d, at, width, height);
@@ -934,9 +935,9 @@ static void sunlight(void)
           six.sum[0]);
 }
 
-/* The median cut of a white sky by hand. A region's width is its longitudes times the sine of its middle. The sphere,
-   360 degrees by 180, is cut around; halves of 180 by 180 at the horizon; quarters of 127 by 90 around; those of 64
-   by 90 at cosine 1/2. The upper parts, 45 by 60, are then cut at cosine 3/4, the lower ones, 87 by 30, around. */
+/* The median cut of a white sky by hand. A region's width is its longitudes times the sine at its middle. The sphere,
+   360 by 180 degrees, is cut around, into halves; these, 180 by 180, at the horizon; quarters of 127 by 90 around;
+   those of 64 by 90 at cosine 1/2. Then upper parts, 45 by 60, are cut at cosine 3/4, lower ones, 87 by 30, around. */
 static void white_sky(void)
 {
     static const struct { int around; double top, bottom;
@@ -949,7 +950,7 @@ static void white_sky(void)
         cut(suns, COUNT, rgb, width, HEIGHT);
         for (size_t z = 0; z < sizeof zone / sizeof *zone; ++z)
             for (int k = 0; k < 2 * zone[z].around; ++k) {
-                /* flat, up: a region's directions, integrated */
+                /* the integral of a region's directions: level, up */
                 const double turn = 2 * PI / zone[z].around, longitude = (k / 2 + 0.5) * turn,
                              a = acos(zone[z].top), b = acos(zone[z].bottom),
                              flat = (b - a - 0.5 * (sin(2 * b) - sin(2 * a))) * sin(turn / 2),
@@ -1000,7 +1001,7 @@ static void vpls(void)
             ++chosen[k];
         }
         CHECK(fabs(sum / total - 1) < 1e-5, "%d lights send %.9g, the map %.9g", count, sum, total);
-        for (int k = 0; k < PIXELS; ++k) {               /* strata: no pixel has two more or less than its share */
+        for (int k = 0; k < PIXELS; ++k) {               /* strata: a pixel's count is off its share by less than two */
             const double share = k % 3 == 1 ? dot(flux + 3 * k, luminance) / total * count : 0;
             CHECK(fabs(chosen[k] - share) < 2, "%d lights: pixel %d is chosen %d times, its share is %g", count, k,
                   chosen[k], share);
@@ -1008,8 +1009,8 @@ static void vpls(void)
     }
 }
 
-/* The rows of a map are the strata of as many lights. Within them lights stand in the order of the radical inverse, so
-   that each column has one as well. The first and the last pixel are halves: no light is where two pixels meet. */
+/* The rows of a map are the strata of as many lights. In them lights stand in the order of the radical inverse, so that
+   each column has one, too. The first and the last pixel are halves, so that no light is where two pixels meet. */
 static void vpl_strata(void)
 {
     enum { SIDE = 16 };
@@ -1032,8 +1033,8 @@ static void vpl_strata(void)
     }
 }
 
-/* A sky of two colours and two suns, in any bands: harmonics and what they lack are together what an open surface
-   gets. */
+/* A sky of two colours and two suns: in any bands, the harmonics and the residual add up to the light of an open
+   surface. */
 static void lacking(void)
 {
     enum { SIDE = 16 };
@@ -1043,7 +1044,7 @@ static void lacking(void)
         const int bands = 1 + t / 3, count = t % 3;
         float map[3 * SIDE * SIDE], coefficients[3 * MOST] = { 0 }, basis[MOST], n[3];
         double want[3 * SIDE * SIDE];
-        for (int c = 0; c < 3; ++c) {                    /* the hemisphere light, as ssgi_sh_light's page has it */
+        for (int c = 0; c < 3; ++c) {                    /* the hemisphere light, as in the header of ssgi_sh_light */
             coefficients[c] = sqrtf((float)PI) * (above[c] + below[c]);
             ssgi_sh_basis(basis, 2, up);
             for (int i = 1; i < 4 && bands > 1; ++i)
@@ -1069,7 +1070,7 @@ static void lacking(void)
     }
 }
 
-/* Of a rectangle of radiance L, seen from points before it: the closed form of its form factor, times pi L. */
+/* Irradiance from a rectangle of radiance 1 at a point before it: the closed form of its form factor. */
 static double seen_from(const double p[3], const double half[2])
 {
     double sum = 0;
@@ -1081,7 +1082,7 @@ static double seen_from(const double p[3], const double half[2])
     return sum;
 }
 
-/* The greatest error of its point lights, at side x side points above it, up to so far from its middle. */
+/* The largest relative error of an area's point lights, at side x side points 1 above it, to wide and high. */
 static double off_by(const ssgi_vpl *light, int count, const double half[2], int side, double wide, double high)
 {
     double worst = 0;
@@ -1106,7 +1107,7 @@ static void areas(void)
     static const double half[2][2] = { { 1, 0.5 }, { 1, 1 } };
     static ssgi_vpl light[4096];
     for (int count = 1; count <= 4096; count *= 4)
-        for (int halves = 0; halves < 1 + (count > 1); ++halves) {   /* the same as two triangles, half as many each */
+        for (int halves = 0; halves < 1 + (count > 1); ++halves) {   /* 1: as two triangles of half the lights */
             const int each = halves ? count / 2 : count;
             double sum = 0;
             CHECK(ssgi_vpl_area(light, each, corner, a, b, halves, radiance, NULL) == SSGI_OK
@@ -1125,7 +1126,7 @@ static void areas(void)
                   worst);
             if (count == 64) t_note("64 lights%s: irradiance at most %.4f off", halves ? ", triangles" : "", worst);
         }
-    for (int k = 0; k < 2; ++k) {              /* what PAPERS.md says of all places at half of the longer side */
+    for (int k = 0; k < 2; ++k) {              /* PAPERS.md's figures, at a height of half the longer side */
         const float side[3] = { 0, k ? 2 : 1, 0 };
         CHECK(ssgi_vpl_area(light, 64, k ? square : corner, a, side, 0, radiance, NULL) == SSGI_OK, "refused");
         const double worst = off_by(light, 64, half[k], 81, 2, 2);
@@ -1135,7 +1136,7 @@ static void areas(void)
 
 /* ---- >>bias ------------------------------------------------------------------------------------------------------ */
 
-/* [HSAO08 4.1.1; SSDO09 5]: the numbers of papers and oracles; what no number gets. */
+/* [HSAO08 4.1.1; SSDO09 5]: the papers' and the references' numbers; and input that is no number. */
 static void biases(void)
 {
     static const float m[16] = { 0.9742786f, 0, 0, 0, 0, 1.7320508f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 };
@@ -1155,7 +1156,7 @@ static void biases(void)
     CHECK(fabs(offset - 10 / (sqrt(3) * 720)) < 1e-8 && fabs(offset - 0.00802) < 2e-6
               && ssgi_normal_offset(&v, 3) == ssgi_pixel_footprint(&v, 3) / 2,
           "eq. 13: %.9g", offset);
-    for (float z = 0.2f; z < 1e4f; z *= 3)     /* [HSAO08 eq. 13]: z / (f res), of the axis whose pixels are wider */
+    for (float z = 0.2f; z < 1e4f; z *= 3)     /* [HSAO08 eq. 13]: z / (f res), of the axis with wider pixels */
         for (int ortho = 0; ortho < 2; ++ortho) {
             ssgi_view other;
             ssgi_view_from_projection(&other, wide[ortho], SSGI_CLIP_GL, 1000, 500, NULL);
@@ -1175,7 +1176,7 @@ static void biases(void)
             CHECK(ssgi_shadow_bias(patch, c, 1e-3f, kind) == (want > 1e-3 ? 1e-3f : (float)got), "not cut to the most");
         }
     }
-    /* a plane over one texel, which has its depth in the middle: how far the nearest corner is before that */
+    /* a plane across one texel, with the middle's depth: how far its nearest corner is before that */
     for (int azimuth = 0; azimuth <= 90; azimuth += 15)
         for (int alpha = 15; alpha < 90; alpha += 15) {
             const double a = azimuth * PI / 180, rise = 0.5 * tan(alpha * PI / 180) * (cos(a) + sin(a));
@@ -1200,7 +1201,7 @@ static void biases(void)
     }
 }
 
-/* n x n hills a spacing apart, each of 8 x 8 cells, turned so that `up` is (0.6, 0, 0.8); the valleys are level. */
+/* n x n hills a spacing apart, of 8 x 8 cells each, turned so that `up` is (0.6, 0, 0.8). The valleys are level. */
 enum { HILLS = 5, CELLS = 8 * HILLS };
 
 static void hill(float p[3], int x, int y, double spacing)
@@ -1218,7 +1219,7 @@ static void radii(void)
     static uint32_t index[SOUP], work[9 * (2 * CELLS * CELLS + 1)];
     static const int quad[6][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 }, { 1, 1 }, { 0, 1 } };
     static const float up[3] = { 3, 0, 4 }, high[3] = { 0, 0, 1 };
-    /* a terrace, from which a wall leads up and a slope down, is none; an edge is seen from one side alone */
+    /* neither a terrace, between a wall up and a slope down, nor an edge seen from one side alone is a maximum */
     static const float steps[9][3] = { { 1, 0, 1 },  { 2, 0, 2 }, { 2, 1, 2 }, { 0, 0, 1 }, { 1, 0, 1 },
                                        { 0, -1, 0 }, { 5, 0, 0 }, { 6, 0, 2 }, { 5, 1, 1 } };
     const size_t words = sizeof work / sizeof *work, triangles = SOUP / 3;
@@ -1230,8 +1231,8 @@ static void radii(void)
         index[i] = (uint32_t)(x * (CELLS + 1) + y);
         memcpy(soup[i], vertex[x][y], sizeof soup[i]);
     }
-    soup[SOUP][1] = NAN;                       /* a triangle more, which is none */
-    for (int i = 0; i < 144; ++i) {            /* a cube of 2 x 2 quads a side; on the sphere about it */
+    soup[SOUP][1] = NAN;                       /* one more triangle, which is invalid */
+    for (int i = 0; i < 144; ++i) {            /* a cube of 2 x 2 quads a side; the same on the sphere */
         float *p = cube[i];
         const int side = i / 24;
         p[side / 2] = side % 2 ? 1 : -1;
@@ -1264,7 +1265,7 @@ static void radii(void)
 
 /* ---- >>reflection ------------------------------------------------------------------------------------------------ */
 
-/* The same, or both no numbers. */
+/* Equal, or both NaN. */
 static int alike(float a, float b) { return !(fabsf(a - b) > 0); }
 
 static void reflections(void)
@@ -1278,7 +1279,7 @@ static void reflections(void)
             CHECK(lit >= v && lit <= 1 && (!k || lit >= ssgi_interreflected(v, (float)(k - 1) / STEPS))
                       && (v < 1 || lit >= 1) && (v > 0 || !(lit > 0)),
                   "visibility %g, albedo %g: %g", (double)v, (double)a, (double)lit);
-            /* the share of an open lobe, of one that its normal leans away from, and toward */
+            /* the visibility of an open lobe; of a lobe whose bent normal leans away, and toward it */
             CHECK(ssgi_specular_visibility(1, a, a, v) >= 1 && gloss >= 0 && gloss <= 1
                       && ssgi_specular_visibility(v, 0.7f, 0.7f, a) >= gloss
                       && ssgi_specular_visibility(v, 0.9f, 0.7f, a) >= ssgi_specular_visibility(v, 0.7f, 0.7f, a),

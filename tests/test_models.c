@@ -1,5 +1,5 @@
-/* test_models.c - models that Assimp reads, a polygon that is hard to cut, and what is said where there is no model:
-   the kit's models.c, assimp.c, mesh.c and scene.c. What an OBJ means stands in test_files.c. */
+/* test_models.c - models read by Assimp, a polygon that is hard to cut, and messages for files that are no models: the
+   kit's models.c, assimp.c, mesh.c and scene.c. The meaning of an OBJ is tested in test_files.c. */
 #include "kit/kit_models.h"
 #include "shell.h"
 
@@ -10,7 +10,7 @@
 
 /* ---- PNG --------------------------------------------------------------------------------------------------------- */
 
-/* What is out of range, and no number; sRGB, of which 0.5 is 188 of 255; colours in the order of their names. */
+/* Values out of range and NaN; sRGB, in which 0.5 is 188 of 255; colours in the order of their names. */
 static void png(void)
 {
     static const float values[6] = { -1, 0, 0.5f, 1, INFINITY, NAN };
@@ -45,7 +45,7 @@ static void png(void)
 
 /* ---- through Assimp ------------------------------------------------------------------------------------------ */
 
-/* A .glb: JSON of which %s is the buffer's length, and the buffer. */
+/* A .glb: JSON, in which %s stands for the buffer's length, and the buffer. */
 typedef struct glb {
     unsigned char bytes[4096];
     size_t size;
@@ -91,8 +91,8 @@ static double area_of(const kit_scene *s)
     return all;
 }
 
-/* One slanted triangle in three nodes: scaled by 2, 3, 4 its normal is (0, -0.8, 0.6); mirrored in x it is wound anew,
-   without and with normals of its own. */
+/* One slanted triangle in three nodes. Scaled by 2, 3, 4, its normal is (0, -0.8, 0.6). Mirrored in x, its corners
+   change their order, without and with normals in the file. */
 static void nodes_of_glb(void)
 {
     static const float corner[3][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 1 } };
@@ -141,8 +141,8 @@ static void nodes_of_glb(void)
 
 static void keep_png(void *to, void *data, int size) { add_bytes(to, data, (size_t)size); }
 
-/* A square card of side 4 with a texture, perhaps transformed, whose coordinates end at turns; of side texels, of which
-   those are there that are. */
+/* A square card of side 4, whose texture coordinates go from 0 to turns, perhaps transformed. The texture is side x
+   side; a texel is opaque if there(x, y). */
 static void put_card(const char *mode, const char *transform, double turns, int wrap, int side,
                      int (*there)(int x, int y))
 {
@@ -180,9 +180,9 @@ static void put_card(const char *mode, const char *transform, double turns, int 
     put_glb("card.glb", json, &b);
 }
 
-static int leaf(int x, int y) { return (0x137f >> (4 * y + x) & 1) != 0; } /* 10 of 16, like no mirror of it */
+static int leaf(int x, int y) { return (0x137f >> (4 * y + x) & 1) != 0; } /* 10 of 16, unlike any mirror image */
 
-/* How often the triangles, which face along z, cover a point. */
+/* How many triangles, which face along z, cover a point. */
 static int covers(const kit_mesh *m, double x, double y)
 {
     int times = 0;
@@ -199,7 +199,7 @@ static int covers(const kit_mesh *m, double x, double y)
     return times;
 }
 
-/* What is left of a card is what its texels say, wherever its texture is repeated, mirrored or goes on at its edge. */
+/* A card keeps the parts whose texels are opaque, if its texture is repeated, mirrored or clamped at its edge. */
 static void cards(void)
 {
     enum { REPEAT = 10497, MIRROR = 33648, CLAMP = 33071 };
@@ -277,7 +277,7 @@ static void ply(void)
     "\"buffers\":[{\"byteLength\":" bytes ",\"uri\":\"" uri "\"}]}"
 #define CORNERS_64 "data:application/octet-stream;base64,AACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAA"
 
-/* How far a coordinate is from a place, and from one so much farther, whichever is nearer. */
+/* The largest distance of a coordinate from a place or from that place + size, whichever is nearer. */
 static double corners_off(const kit_mesh *m, const double at[3], double size)
 {
     double worst = 0;
@@ -288,8 +288,8 @@ static double corners_off(const kit_mesh *m, const double at[3], double size)
     return worst;
 }
 
-/* What stands far from 0 is drawn as there: corners at 1 on the axes, in places of nodes that only doubles hold, or in
-   an OBJ's text. Where they stand, and what is said of numbers that are coarse, of floats: 1.0 so far away. */
+/* A model far from 0 is drawn near 0: with corners at 1 on the axes, placed by nodes that need doubles, or by an OBJ's
+   text. The note says where it lies, and that numbers are coarse if floats hold them: 1.0 apart so far from 0. */
 static void far_away(void)
 {
 #define EAST 13487434.75
@@ -341,7 +341,7 @@ static void far_away(void)
         CHECK(sizes > 1 && sizes < 10, "%zu: the camera is %g sizes away", i, sizes);
         CHECK(!strstr(all[i].text, "mtllib") || (s.mesh.albedo[0] > 0.99f && s.mesh.albedo[1] < 0.01f),
               "%zu: %g, %g is not red", i, (double)s.mesh.albedo[0], (double)s.mesh.albedo[1]);
-        kit_mesh own; /* without Assimp */
+        kit_mesh own; /* read without Assimp */
         if (!strcmp(all[i].name, "a.obj") && CHECK(!kit_mesh_obj(&own, NULL, NULL, in_folder("a.obj"), &err), "%s",
                                                    err.text)) {
             CHECK(corners_off(&own, all[i].at, all[i].size) < 1e-3 * all[i].size, "%zu: without Assimp", i);
@@ -352,7 +352,7 @@ static void far_away(void)
     }
 }
 
-/* A morph by its own corners: so many times more of them. The node's weights count before the mesh's. */
+/* A morph adds its own corners as often as its weight says. The node's weights replace the mesh's. */
 static void morphs(void)
 {
 #define MORPHED(weights) "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0," \
@@ -378,7 +378,7 @@ static void morphs(void)
     }
 }
 
-/* One line that names the file, its format and what is wrong. */
+/* A refusal is one line with the file, its format and the fault. */
 static void refused(void)
 {
     static const struct {
@@ -419,7 +419,7 @@ static void refused(void)
     }
 }
 
-/* Z is up, and what looks along y is the front. */
+/* Z is up, and the front looks along y. */
 static void upright(void)
 {
     static const char text[] =
@@ -452,7 +452,7 @@ static void without_assimp(void)
         "\"%s\"", err.text);
 }
 
-/* ---- what is none -------------------------------------------------------------------------------------------- */
+/* ---- files that are no models -------------------------------------------------------------------------------- */
 
 static void no_scene(void)
 {
@@ -464,7 +464,7 @@ static void no_scene(void)
     for (int i = 0; (name = kit_scene_builtin(i, NULL)) != NULL; ++i)
         CHECK(strstr(err.text, name) != NULL, "%s is not named: \"%s\"", name, err.text);
     if (!CHECK(!mkfifo(in_folder("pipe"), 0600), "no pipe can be made")) return;
-    alarm(60);                             /* waiting for who writes it would last for ever */
+    alarm(60);                             /* waiting for a writer would never end */
     CHECK(kit_scene_load(&scene, in_folder("pipe"), 0, &err) == -1 && strstr(err.text, "not a regular file"), "\"%s\"",
           err.text);
     alarm(0);

@@ -1,12 +1,12 @@
-/* test_papers.c - the papers' tables and figures that make papers draws: that each is there, with rows that can be
-   drawn, and that what a paper says is judged by its rows' figures. */
+/* test_papers.c - the sheets of make papers: each paper's tables and figures are there, their rows can be drawn, and
+   the papers' claims are judged by the rows' figures. */
 #include "t.h"
 #include "kit/kit_gl.h"
 #include "lab/papers/sheet.h"
 #include <math.h>
 #include <string.h>
 
-/* A row is drawn by a method that there is, with settings that it takes, or says why not. */
+/* A row has a method that exists, with settings that it accepts, or says why it is not drawn. */
 static void paper_row_sound(const sheet *t, int i)
 {
     const paper_row *p = &t->rows[i];
@@ -30,7 +30,7 @@ static void sheet_sound(const sheet *t)
     kit_error err = { "" };
     CHECK(t->title && t->theirs && t->ours && t->count > 0,
           "%s %s: has no words, or %d rows", t->paper, t->name, t->count);
-    if (t->see.path == t->see.name)                    /* no view, so a scene */
+    if (t->see.path == t->see.name)                    /* without a view: a scene's name */
         if (CHECK(!kit_scene_load(&scene, t->see.path, 0, &err), "%s %s: %s", t->paper, t->name, err.text))
             kit_scene_free(&scene);
     for (int i = 0; i < t->count; ++i) {
@@ -51,7 +51,7 @@ static void sheet_sound(const sheet *t)
     }
 }
 
-/* Every table and figure of each paper, with rows that can be drawn. */
+/* Every table and figure of each paper is there, and its rows can be drawn. */
 static void papers_whole(void)
 {
     struct { const char *paper; int sheets; } wanted[] = { { "HSAO08", 7 }, { "SSDO09", 9 }, { "S3HO12", 6 },
@@ -67,8 +67,8 @@ static void papers_whole(void)
         CHECK(!wanted[i].sheets, "%s: %d tables and figures are missing", wanted[i].paper, wanted[i].sheets);
 }
 
-/* A statement holds between the bounds of its rule, not at them, by figures as they are shown; it is told with these,
-   with what they come to, and with the figure at which it would be otherwise. */
+/* A claim holds between the bounds of its rule, not at them, by figures rounded as they are shown. Its sentence has
+   these, their ratio, and the figure at which the outcome would change. */
 static void claims_judged(void)
 {
     static const paper_row three[] = { { .what = "a", .method = "ssao" },
@@ -108,18 +108,18 @@ static void claims_judged(void)
     }
     sheet_rule(&c, "less");
     c.row = 0;
-    c.beside = 1;                                      /* in whose place the library has 0.383 */
+    c.beside = 1;                                      /* the library's row of this algorithm has 0.383 */
     rows[0].share = 0.458;
     CHECK(!strcmp(show_claim(out, &t, &c, rows), "S: not known, for a row of it was not drawn; as the library has it, "
                   "does not agree (0.458 beside 0.383: 1.2 of it; would below 1)"), "of a row that was not drawn: %s",
           out);
     rows[1].share = 0.3;
-    rows[1].error[1] = 0.615;                          /* of light: irradiance's */
+    rows[1].error[1] = 0.615;                          /* of lit rows the second one counts, irradiance's */
     CHECK(!strcmp(show_claim(out, &t, &c, rows), "S: agrees (0.458 beside 0.615: 0.745 of it; would not at 1 or more); "
                   "as the library has it, does not agree (0.458 beside 0.383: 1.2 of it; would below 1)"), "%s", out);
 }
 
-/* "+%" is of the times beside it, not of a median of ratios. By hand: 65.0 / 45.3 = 1.435, 1.7 / 1.2 = 1.417. */
+/* "+%" follows from the times beside it, not from a median of ratios: 65.0 / 45.3 = 1.435, 1.7 / 1.2 = 1.417. */
 static void overhead_follows(void)
 {
     static const paper_row two[] = { { .what = "a", .method = "ssao" }, { .what = "b", .method = "ssao", .base = 1 } };

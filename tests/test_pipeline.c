@@ -1,5 +1,5 @@
-/* test_pipeline.c - the AO passes through the whole of GL: the march's closed forms, tiny radii, garbage and sizes (of
-   light's passes too), widths, the filter. */
+/* test_pipeline.c - the passes of AO, drawn: the march's closed forms, tiny radii, garbage and sizes (also of light's
+   passes), thickness, the filter. */
 #include "t.h"
 #include "frames.h"
 #include "kit/kit_run.h"
@@ -11,7 +11,7 @@
 static const double pi = 3.14159265358979;
 static kit_error err;
 
-/* 33 samples, steps: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
+/* 33 samples: Mesa unrolls loops of up to 32, and then takes long to compile them. */
 static const struct {
     const char *method, *set;
 } methods[] = { { "ssao", "directions=33" },
@@ -26,8 +26,7 @@ static const struct {
                   "slices=1,samples=33,indirect=none,store=float,filtered=coefficients,resolution=full,blur=0" } };
 enum { METHODS = ROWS(methods), LIT = METHODS - 2 };
 
-/* Turns a run to another G-buffer, whatever its size, at the defaults, in uniform light: compiling is what takes
-   time. */
+/* Gives a run another G-buffer of any size, at the defaults, in uniform light. A new run would compile its programs. */
 static int fit(kit_run *run, kit_gbuffer *g, float radius)
 {
     static const float uniform[3] = { 3.5449077f, 3.5449077f, 3.5449077f };
@@ -52,8 +51,8 @@ static int fit(kit_run *run, kit_gbuffer *g, float radius)
 
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
-/* The march over a floor along x, up to the face of a wall at c that rises without end, from 45 degrees above, radius 1
-   [HSAO08 fig. 4]: occlusion along tangents at azimuths evenly spread, as the table of corner_converges has it. */
+/* The exact occlusion of the march over a floor along x, up to an endless wall's face at c, seen from 45 degrees above,
+   with radius 1 [HSAO08 fig. 4]: along tangents at evenly spread azimuths, as corner_converges sets them. */
 static double exact_march(double c, int steps, int hard, int spheres)
 {
     enum { AZIMUTHS = 512 };
@@ -64,7 +63,7 @@ static double exact_march(double c, int steps, int hard, int spheres)
         for (int i = 1; i <= steps; ++i) {
             const double d = (double)i / steps, along = d * sqrt(1 - H * H);
             if (along * x <= c) continue;
-            /* the eye's ray meets the face there */
+            /* where the eye's ray meets the face */
             const double up = d * H + (along * x - c), l = sqrt(c * c + along * along * y * y + up * up),
                          ahead = c * x + along * y * y, rise = up / sqrt(up * up + ahead * ahead);
             if (l >= 1 || (spheres && l >= (i + 1.0) / steps) || ahead <= 0 || rise <= H) continue;
@@ -75,8 +74,8 @@ static double exact_march(double c, int steps, int hard, int spheres)
     return sum / AZIMUTHS;
 }
 
-/* The march without jitter, and its closed forms: it is darker by at most so much a step. A face that is seen is nearer
-   than a ray's end, so that spheres change nothing. */
+/* The march without jitter, against its closed forms. It is darker than the truth by a bound that falls with its steps.
+   The visible face is nearer than a ray's end, so spheres change nothing. */
 static void corner_converges(void)
 {
     static const double at[] = { 0.1, 0.25, 0.5, 0.75 };
@@ -102,7 +101,7 @@ static void corner_converges(void)
             "directions=32,normal_rays=0,blur=0,noise=texture,samples=%d,falloff=%s,growing_sphere=%d",
                  steps, hard ? "none" : "linear", row[m].spheres);
         if (!open_run(&run, &g[0], "hsao-march", set, 1, NULL, NULL)) return;
-        glBindTexture(GL_TEXTURE_2D, run.noise);           /* steps not jittered, 16 * 32 directions */
+        glBindTexture(GL_TEXTURE_2D, run.noise);           /* samples not jittered, 16 * 32 directions */
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 16, 1, 0, GL_RGBA, GL_FLOAT, tile);
         for (int i = 0; i < 4; ++i) {
             const double exact = exact_march(at[i], steps, hard, row[m].spheres),
@@ -121,11 +120,11 @@ static void corner_converges(void)
 
 /* ---- the march's terms and layers: closed forms ----------------------------------------------------------------- */
 
-enum { PIT = 160, PIT_RADIUS = 60 };      /* pixels: of the picture, of the radius */
-static const double pit_lid = 0.6, pit_wall = 0.3;    /* radii over the floor; the wall also from its centre */
+enum { PIT = 160, PIT_RADIUS = 60 };      /* in pixels: of the picture, of the radius */
+static const double pit_lid = 0.6, pit_wall = 0.3;    /* in radii over the floor; pit_wall also from its centre */
 
-/* The floor at depth 4, seen straight down through the one pixel that a lid of 0.05 radii leaves open; where it is
-   wanted, a wall around it, solid downward. Up to three layers. */
+/* The floor at depth 4, seen straight down through the single pixel that a lid, 0.05 radii thick, leaves open; with
+   wall, solid matter around it. Up to three layers. */
 static int pit(kit_gbuffer *g, int lid, int wall)
 {
     kit_camera camera = looking_along_z(PIT, PIT, 1);
@@ -150,7 +149,7 @@ static int pit(kit_gbuffer *g, int lid, int wall)
     return ok;
 }
 
-/* Occlusion at the one pixel at the picture's centre, over phases. The frame's first row is the top. */
+/* Occlusion at the picture's centre pixel, as a mean over phases. The frame's first row is the top. */
 static double at_centre(kit_run *run)
 {
     enum { PHASES = 16, X = PIT / 2, Y = PIT / 2 - 1 };
@@ -175,26 +174,27 @@ static void terms_of_the_march(void)
         const char *set;
         int lid, wall;
         double least, most;
-    } row[] = { /* under a lid: what is seen has no far side, and the horizon goes up to it; with its back it does not,
-                   and normal rays meet it within the radius where z > 0.55. A sphere never reaches it */
+    } row[] = { /* Below a lid. Without its back the lid has no end, and the horizon rises up to it. With its back it
+                   does not, and normal rays meet the lid within the radius if z > 0.55. A sphere never reaches it */
                 { "march_terms=horizon", 1, 0, 0.99, 1 },
                 { "march_terms=horizon,growing_sphere=1", 1, 0, 0, 0 },
                 { "march_terms=horizon,layers=3", 1, 0, 0, 0 },
                 { "march_terms=normal,layers=3", 1, 0, 0.68, 0.7 },
                 { "march_terms=both,layers=3", 1, 0, 0.68, 0.7 },
                 { "march_terms=rays,layers=3", 1, 0, 0.68, 0.7 },
-                /* within a wall up to 45 degrees: half, of which normal rays find what the last step left */
+                /* inside of a wall up to 45 degrees: half is occluded; normal rays find the part that the last step
+                   left */
                 { "march_terms=horizon", 0, 1, 0.44, 0.5 },
                 { "march_terms=both", 0, 1, 0.48, 0.51 },
                 { "march_terms=rays", 0, 1, 0.48, 0.51 },
                 { "march_terms=normal", 0, 1, 0, 0.06 },
-                /* both: nothing is open, so the shares below and above the horizon are 1. It goes on to the lid */
+                /* lid and wall: nothing is open, so the shares below and above the horizon add up to 1 */
                 { "march_terms=horizon,layers=3", 1, 1, 0.5, 0.56 },
                 { "march_terms=normal,layers=3", 1, 1, 0.44, 0.5 },
                 { "march_terms=both,layers=3", 1, 1, 0.999, 1 },
                 { "march_terms=rays,layers=3", 1, 1, 0.999, 1 },
-                /* a wall seen from above: its top at x is within a step more than x where x > (0.09 - s^2) / 2s,
-                   s = 1/12; found there or up to a step on, at 0.5 to 0.58 */
+                /* a wall seen from above: its top at x is within a step beyond x if x > (0.09 - s^2) / 2s, s = 1/12;
+                   the march finds it there or up to a step later, at 0.5 to 0.58 */
                 { "march_terms=horizon,growing_sphere=1,samples=12", 0, 1, 0.208, 0.266 } };
     double o[ROWS(row)];
     for (int i = 0; i < ROWS(row); ++i) {
@@ -218,8 +218,8 @@ static void terms_of_the_march(void)
 
 /* ---- sizes, radii, garbage --------------------------------------------------------------------------------------- */
 
-/* How many pixels of any pass are not in [0,1], or of light and its coefficients not within 2 sqrt(pi), all of light's;
-   or not 1 where nothing holds no depth. A GPU's quotient of equal sums may be 1 and its rounding. */
+/* How many pixels of any pass are not in [0,1]; of light and its coefficients, not within 2 sqrt(pi), the value of all
+   light; or not 1 at pixels without a surface. On a GPU the quotient of equal sums may be 1 and a rounding. */
 static int wrong(const kit_run *run, const float *nothing, int light)
 {
     int n = 0;
@@ -237,7 +237,7 @@ static int wrong(const kit_run *run, const float *nothing, int light)
     return n;
 }
 
-/* Raw textures, as they are. */
+/* A G-buffer of textures with these values. */
 static kit_gbuffer raw(const kit_camera *c, int linear, GLenum format, const float *depth, const float *normal)
 {
     kit_gbuffer g = { .width = c->width,
@@ -253,8 +253,8 @@ static kit_gbuffer raw(const kit_camera *c, int linear, GLenum format, const flo
     return g;
 }
 
-/* Points lifted by most of a pixel stand behind a silhouette beside them, and what is solid blocks them at any radius:
-   a limit of ssao and of normal rays. All else sees nothing. */
+/* A point is lifted by most of a pixel, so it may lie behind a silhouette beside it, and solid surfaces then block it
+   at any radius: a limit of ssao and of normal rays. All other methods see nothing. */
 static void tiny_radii_see_nothing(void)
 {
     kit_scene scene;
@@ -275,12 +275,11 @@ static void tiny_radii_see_nothing(void)
     kit_scene_free(&scene);
 }
 
-/* Anything among sound texels, more and more of it; and sound pictures of every size, with holes, half of
-   the sizes in each projection. A program a method is turned to all of them, and to kinds that it does not tell
-   apart. */
+/* Random values among sound texels, more in each picture; and sound pictures of every size, with holes, half of the
+   sizes in each projection. One program of each method draws all of them, also kinds that it cannot tell apart. */
 static void garbage_is_survived(void)
 {
-    /* the squares of some are no floats */
+    /* the squares of some are not finite */
     static const float odd[] = { NAN,    INFINITY, -INFINITY, 0,      -0.0f,  -1,    1e-45f, 1e-39f, 1e-30f,
                                  1e-20f, 1e-19f,   1e-17f,    1e-12f, 1e-6f,  0.25f, 0.5f,   0.999f, 1,
                                  2,      1e6f,     1e12f,     9e17f,  1e18f,  1e30f, 1e38f,  -1e38f };
@@ -315,7 +314,7 @@ static void garbage_is_survived(void)
                 normal[i] = s < SEEDS && (int)t_below(SEEDS) <= s ? odd[t_below(ROWS(odd))]
                                                                   : 0.01f * (float)t_below(200) - 1;
             g[s] = raw(&c, kind[k].linear, kind[k].format, depth[s], normal);
-            if (!kind[k].linear)                           /* from here on only: where is something */
+            if (!kind[k].linear)                           /* from here on it only marks surfaces */
                 for (int i = 0; i < width * height; ++i)
                     depth[s][i] = depth[s][i] == (kind[k].layout == KIT_DEPTH_NORMAL ? 1.0f : 0.0f) ? 0.0f : 1.0f;
         }
@@ -337,13 +336,14 @@ static void garbage_is_survived(void)
     kit_image_free(&white.env);
 }
 
-/* A post 12 pixels wide and a pole of one before a wall: how thick each is taken to be, by its own width, though it be
-   turned from the viewer, by back faces, and as a sheet, whose back face is what is seen; and that view depths come
-   along. */
+/* A post 12 pixels wide and a pole of one pixel before a wall: the measured thickness of each, by its own width, also
+   if it is turned from the viewer; by back faces; and as a sheet, which is seen by its back face. View depths are
+   stored, too. */
 static void widths_are_measured(void)
 {
     enum { W = 96, H = 64, POST = 20, ACROSS = 12, POLE = 45 };
-    static const struct { int orthographic; double slant; /* footprints a pixel */ const char *set; } rows[] = {
+    static const struct { int orthographic; double slant; /* footprints of depth a
+                                                             pixel */ const char *set; } rows[] = {
         { 1, 0, "thickness=width" }, { 1, 0, "thickness=back" }, { 1, 3, "thickness=width" },
         { 0, 1.5, "thickness=width" } };
     static float depth[W * H], back[W * H], normal[4 * W * H];
@@ -351,7 +351,7 @@ static void widths_are_measured(void)
     for (size_t r = 0; r < sizeof rows / sizeof *rows; ++r) {
         const int orthographic = rows[r].orthographic, m = !strcmp(rows[r].set, "thickness=back");
         const kit_camera c = looking_along_z(W, H, orthographic);
-        const double wide = orthographic ? 2.0 / H : 2 * tan(acos(-1) / 8) / H,      /* a pixel, at depth 1 */
+        const double wide = orthographic ? 2.0 / H : 2 * tan(acos(-1) / 8) / H,      /* a pixel's width at depth 1 */
                      close = orthographic ? wide : 5 * wide, radius = 32 * close;
         kit_run run;
         int bad[4] = { 0 };
@@ -377,7 +377,7 @@ static void widths_are_measured(void)
                 const float z = unpack_measured(&code, &got[4 * (y / 2 * W / 2 + x / 2)], 2 * (y & 1) + (x & 1),
                                                 orthographic), is = depth[y * W + x];
                 const double most = radius / (orthographic ? wide : wide * (double)depth[y * W + (x & ~1)]),
-                             thick = code / 63.0 * most;                            /* pixels */
+                             thick = code / 63.0 * most;                            /* in pixels */
                 const int post = x >= POST && x < POST + ACROSS;
                 bad[0] += orthographic ? z != is : fabsf(z - is) > 1e-5f * is;
                 if (post && m && y < H / 2) bad[1] += fabs(thick - 16) > 0.3;        /* 0.5 units */
@@ -410,8 +410,8 @@ static float mean_value(int x, int y)
 }
 static float ramp_value(int x, int y)     { return 0.1f + 0.001f * (float)x + 0.002f * (float)y; }
 
-/* The largest difference of expected to what the filter makes of value (x, y: full-size pixel from below), border
-   pixels left out, on a plane or on two, the second from column 30 on. run: opened with this set already, or all 0. */
+/* The largest difference between the filtered picture of value and expected (x, y: full-size pixel from below), without
+   border pixels, on a plane or on two, the second from column 30 on. run: open with this set, or all 0. */
 static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[4], int planes, const char *set,
                        float (*value)(int x, int y), float (*expected)(int x, int y), int border)
 {
@@ -432,7 +432,7 @@ static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[
                                   frame.data[(frame.height - 1 - y * step) * frame.width + x * step] };
             glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, 1, 1, GL_RG, GL_FLOAT, ao);
         }
-    /* the first pass draws nowhere: the texture stays ours */
+    /* the first pass writes nothing, so the texture keeps our values */
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
     glDrawBuffers(1, &(GLenum){ GL_NONE });
     if (!drawn(&out, run)) return 1;
@@ -459,7 +459,7 @@ static void filter_keeps_its_word(void)
                 { "blur=2", 1e-3, 1, 0 },
                 { "blur=4", 1e-3, 0, 0 },
                 { "blur=2,filter_normals=1", 1e-3, 1, 0 },
-                /* its weight is a pixel's width over the distance: never 0 */
+                /* its weight is a pixel's width over the distance, and never 0 */
                 { "blur=2,normal=depth", 1e-3, 0, 0 },
                 { "blur=2,filter=gaussian", 0.02, 0, 0 },
                 { "resolution=half,blur=1", 1e-3, 0, 1 },
@@ -475,8 +475,8 @@ static void filter_keeps_its_word(void)
                                                    filtered(&run, &c, tilted, 1, set, tile_value, mean_value, 3))
                                             : 0,
                      ramp = row[i / 2].ramp ? filtered(&run, &c, facing, 1, set, ramp_value, ramp_value, 8) : 0;
-        /* half size: odd pixels have one more tap to the left and below, which moves what they see by less than half a
-           pixel */
+        /* half resolution: odd pixels have one more sample to the left and below, which shifts the result by less than
+           half a pixel */
         kit_run_close(&run);
         CHECK(constant <= 1e-6 && edge <= row[i / 2].edge, "%s: a constant is off by %g, %g crosses an edge", set,
               constant, edge);
@@ -493,7 +493,7 @@ static void filter_keeps_its_word(void)
 
 /* ---- compute stages ---------------------------------------------------------------------------------------------- */
 
-/* Three frames of a camera that moves, as both stages draw them, in order: the last one's bits. */
+/* Draws three frames of a moving camera in fragment stages or in compute stages, and keeps the last one. */
 static int by_stages(kit_image *out, const char *method, const char *set, int compute, const kit_scene *scene,
                      const kit_lighting *l)
 {

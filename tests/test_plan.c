@@ -1,4 +1,4 @@
-/* test_plan.c - what a scene needs: survey, calibration, choice. */
+/* test_plan.c - the plan of a scene: survey, calibration, choice. */
 #include "t.h"
 #include "frames.h"
 #include <math.h>
@@ -15,7 +15,7 @@ static ssgi_plan made(const ssgi_plan_scene *s)
     return p;
 }
 
-/* What must follow from a scene's numbers, whatever the table was fitted to. */
+/* Facts that follow from a scene's numbers, whatever the table was fitted to. */
 static void follows(void)
 {
     const float left[3] = { -1, 0.6f, 0.3f }, right[3] = { 1, 0.6f, 0.3f }, pink[3] = { 3.3f, 0.9f, 1.9f },
@@ -53,7 +53,7 @@ static void follows(void)
     }
     CHECK(bands >= 2, "under two lights harmonics are taken %d times", bands);
 
-    /* Nothing is taken that the scene does not give. */
+    /* The plan uses nothing that the scene does not give. */
     memset(&s, 0, sizeof s);
     s.calibration = (ssgi_calibration){ 1, 0.15f, 0.07f, 0.03f };
     s.map = 1;
@@ -66,8 +66,8 @@ static void follows(void)
                           && p.method != SSGI_PLAN_METHOD_DSS,
                       "%d given, %g of %d: %s", given, (double)s.error, s.wanted, p.why);
             }
-    /* Slabs are bought where they are what helps, unless depth passes are dear; the nearest is told where nothing
-       meets the error. */
+    /* Slabs are chosen if they help and depth passes are cheap. If no choice meets the error, the nearest one is
+       told. */
     s.wanted = SSGI_PLAN_WANTED_VISIBILITY;
     s.thickness = SSGI_PLAN_THICKNESS_SLABS;
     s.error = 0.035f;
@@ -90,8 +90,8 @@ static void follows(void)
               && !strncmp(p.why, "cannot be met: 0.0010; the nearest: hsao", 40),
           "0.001 of hsao: %s", p.why);
 
-    /* Budgets are kept, more of them never errs more; a smaller error never costs less; costs grow with splats and
-       occluders. */
+    /* A budget is kept, and a larger one never has a larger error. A smaller error never costs less. Costs grow with
+       splats and occluders. */
     s = (ssgi_plan_scene){ .calibration = { 1, 0.15f, 0.05f, 0.04f },
                            .thickness = SSGI_PLAN_THICKNESS_SLABS,
                            .history = 1,
@@ -124,8 +124,8 @@ static void follows(void)
           "choices: %d %d %d %d", choices[0], choices[1], choices[2], choices[3]);
 }
 
-/* Predicted errors and costs of five choices, worked out by hand from the table's numbers: the square is nothing's^2,
-   hsao's^2, slabs'^2, nothing's^2 size / radius, nothing's^2 unevenness and 1e-4, each times the row's. */
+/* Predicted errors and costs of five choices, worked out by hand from the table. The squared error sums nothing's^2,
+   hsao's^2, slabs'^2, nothing's^2 size / radius, nothing's^2 unevenness and 1e-4, each times the row's number. */
 static void by_hand(void)
 {
     static const ssgi_plan_scene dim = { .wanted = SSGI_PLAN_WANTED_VISIBILITY,
@@ -172,9 +172,9 @@ static void by_hand(void)
         }
         CHECK(met == 1, "row %zu: %d choices are meant", k, met);
     }
-    /* Depth passes, fields' cover, the other column. Without a calibration the survey tells: 1e-6 + 1.25 * 0.1^2 +
-       0.0169 * 0.03^2 of nothing with slabs, 1e-6 + 1.2 * 0.1^2 + 0.148 * 0.02^2 without. A calibration without slabs
-       scales what the survey, or the guess of 0.003 that is hsao's too, says of them. */
+    /* Depth passes, the cover of fields, the other column. Without a calibration the survey predicts it: 1e-6 + 1.25 *
+       0.1^2 + 0.0169 * 0.03^2 of nothing with slabs, 1e-6 + 1.2 * 0.1^2 + 0.148 * 0.02^2 without. A calibration without
+       slabs scales the prediction for slabs, which is the survey's or a guess of 0.003, the same as hsao's. */
     static const float passes[4] = { 0, 0, 1, 3 }, slabs[2] = { 0, 0.03f };
     ssgi_plan_scene s = {
         .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .occluders = 10, .coverage = 0.5f, .map = 1
@@ -219,7 +219,7 @@ static void by_hand(void)
     }
 }
 
-/* Floats that are no numbers are tests/nan.c's. */
+/* tests/nan.c tests floats that are not finite. */
 static void refused(void)
 {
     static const struct { const char *start; ssgi_plan_scene scene; } bad[] = {
@@ -254,7 +254,7 @@ static void refused(void)
           "nothing becomes a desc");
 }
 
-/* The kit draws the passes of a chain, each by the same shader but for the frame's format. */
+/* The kit draws the passes of a chain with the same shaders, except for the frame's format. */
 static void draws(const kit_run *run, const ssgi_gl_chain *chain, int i)
 {
     static ssgi_gl_step step[KIT_MAX_PASSES];
@@ -273,7 +273,7 @@ static void draws(const kit_run *run, const ssgi_gl_chain *chain, int i)
     CHECK(n == steps, "choice %d: the kit draws %d passes, ssgi_gl_plan has %d: %s", i, n, steps, why);
 }
 
-/* Every choice becomes a desc that is good, and the kit draws that. */
+/* Every choice becomes a valid desc, and the kit draws that. */
 static void drawable(void)
 {
     static const int thickness[] = { [SSGI_PLAN_THICKNESS_WIDTH] = SSGI_GL_THICKNESS_DEFAULT,
@@ -336,7 +336,7 @@ static void drawable(void)
     kit_scene_free(&scene);
 }
 
-/* Pixels of a frame with their truth, as a calibration wants them: by another way than the kit's. */
+/* Calibrates by pixels of a frame and their truth, in another way than the kit's. */
 static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_plan_scene *s)
 {
     enum { MOST = 2000 };
@@ -394,8 +394,8 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
           s->surfels, s->splats);
 }
 
-/* A survey's figures, of pixels by hand; a plane's is empty, a corner's is not; a calibration of the truth itself finds
-   no error, however few its rays, and of nothing what the truth's picture says. */
+/* A survey's figures by pixels worked out by hand; a plane's are 0, a corner's are not. A calibration by the truth
+   itself finds no error, with any number of rays, and for nothing the error of the truth's picture. */
 static void measured(void)
 {
     static const float hsao[3] = { 0.5f, 1, NAN }, best[3] = { 0.4f, 1, 0 }, solid[3] = { 0.3f, 1, 0 },

@@ -1,5 +1,5 @@
-/* test_read.c - ssgi_gl_read: shaders that light a surface read what gathers and filters wrote, as the filter's pass
-   does where the depth buffer shows that surface, and its own part where it does not. */
+/* test_read.c - ssgi_gl_read: shaders that light a surface read the results of gathers and filters. They get the filter
+   pass's value if the depth buffer shows their surface, and their own share of it if not. */
 #include "kit/kit_run.h"
 #include "frames.h"
 #include <math.h>
@@ -12,7 +12,7 @@ static kit_error err;
 static const char triangle[] = "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, "
                                "0.0, 1.0); }\n";
 
-/* A program of the functions for a desc, with this main; its textures are bound by the caller. 0 on failure. */
+/* A program with the functions for a desc and this main. The caller binds its textures. Returns 0 on failure. */
 static GLuint program_of(const ssgi_gl_desc *desc, const char *vertex, const char *main_)
 {
     static char text[1 << 15];
@@ -49,7 +49,7 @@ static GLuint target_of(GLenum kind, GLuint texture)
 
 typedef struct subject { const char *method, *set, *call; } subject;
 
-/* The filter's pass of an open run, the last; -1: it has none. */
+/* The index of the filter's pass, the last one, in an open run; -1: it has none. */
 static int filter_of(const kit_run *run)
 {
     int at = run->passes - 1;
@@ -58,7 +58,7 @@ static int filter_of(const kit_run *run)
     return at;
 }
 
-/* Draws a picture by the functions, with depths and normals of the G-buffer, next to what the filter wrote. */
+/* Draws a picture with the functions, by the G-buffer's depths and normals, and the filter's picture. */
 static int drawn_by(float *out, float *filtered, const kit_run *run, const subject *s)
 {
     char main_[400];
@@ -128,7 +128,7 @@ static void as_the_filter(void)
                 differ += !(off < 0.002);
                 worst = fmax(worst, off);
             }
-        /* They do where no texel shows the surface: a quarter's are that far apart. */
+        /* differences are where no texel shows the surface, which is more often at quarter resolution */
         SHOW(seen > W * H / 2 && differ <= seen / (strstr(s->set, "quarter") ? 100 : 1000),
              "%s %s: of %d pixels %d are not the filter's, by %.4f", s->method, s->set, seen, differ, worst);
         kit_run_close(&run);
@@ -139,15 +139,15 @@ static void as_the_filter(void)
 
 /* ---- edges, and surfaces that no texel shows -------------------------------------------------------------------- */
 
-/* A wall that is not square to the view, and a card before it: n P = plane[3]; and the visibility that is read. */
+/* A wall that is not square to the view and a card before it: n P = plane[3]. visibility: of the wall, of the card. */
 static const float planes[2][4] = { { 0.3f, 0.2f, 0.9327379f, -5.5f }, { -0.2f, 0.1f, 0.9746794f, -3 } };
 static const float visibility[2] = { 0.9f, 0.2f };
-/* A card that is seen so steeply that a third of a pixel aside is several footprints nearer. */
+/* A card so steep that a third of a pixel aside is several footprints nearer. */
 static const float steep[4] = { -0.95f, 0.2f, 0.2397916f, -3 };
-/* of the card, in NDC; it is turned, so that each of its edges crosses pixels */
+/* the card's corners in NDC, turned so that each edge crosses pixels */
 static const float corner[4][2] = { { -0.31f, -0.52f }, { 0.55f, -0.33f }, { -0.48f, 0.27f }, { 0.38f, 0.46f } };
 
-static int inside_card(double x, double y) /* NDC */
+static int inside_card(double x, double y) /* x, y: NDC */
 {
     static const int round[5] = { 0, 1, 3, 2, 0 };
     int in = 1;
@@ -168,7 +168,7 @@ static double depth_at(const ssgi_gl_frame *f, int orthographic, const float pla
                         : (double)plane[3] / (across - (double)plane[2]);
 }
 
-/* What a gather, or pass history, would have written of wall and card; the eye is so far before them. */
+/* The result of a gather or of pass history for wall and card. eye: how far the eye stands before them. */
 static GLuint result_of(const ssgi_gl_frame *f, const ssgi_gl_desc *d, const float of_card[4], double eye)
 {
     static float texel[4 * SIDE * SIDE];
@@ -226,8 +226,8 @@ static int resolved(float *out, GLuint samples)
     return ok;
 }
 
-/* Draws a plane where a target is bound, by the functions: all over it, or the card alone. aside: of samples, from a
-   pixel's centre; away: how far it lies before what the result shows; share, is: what is drawn is share * v + is. */
+/* Draws a plane into the bound target with the functions: all over it, or only the card. aside: of samples, from a
+   pixel's centre; away: how far the plane lies before the result's surface; draws share * v + is. */
 typedef struct painted { const float *plane; int card; float aside[2], away, share, is; } painted;
 static int paint(const ssgi_gl_desc *d, GLuint result, double eye, const painted *p)
 {
@@ -254,7 +254,7 @@ static int paint(const ssgi_gl_desc *d, GLuint result, double eye, const painted
     return 1;
 }
 
-/* Wall and card, multisampled: each by the functions (read), or as bright as the texture says. */
+/* Draws wall and card multisampled. read: by the functions; else by the texture's values. */
 static int edges(float *out, const ssgi_gl_desc *d, GLuint result, double eye, int read)
 {
     GLuint samples;
@@ -273,7 +273,7 @@ static int edges(float *out, const ssgi_gl_desc *d, GLuint result, double eye, i
     return ok;
 }
 
-/* The farthest that the middle of the card is off its visibility. */
+/* The largest error of visibility in the middle of the card. */
 static double beside(const float *out)
 {
     double worst = 0;
@@ -283,7 +283,7 @@ static double beside(const float *out)
     return worst;
 }
 
-/* Results, and how far the eye stands before what is seen. */
+/* Results, and how far the eye stands before the surfaces. */
 static const struct { ssgi_gl_desc desc; float eye; } results[] = {
     { { .pass = SSGI_GL_PASS_HSAO, .gather.resolution = SSGI_GL_RESOLUTION_HALF }, 0 },
     { { .pass = SSGI_GL_PASS_HSAO, .gather.resolution = SSGI_GL_RESOLUTION_QUARTER }, 0 },
@@ -296,8 +296,8 @@ static const struct { ssgi_gl_desc desc; float eye; } results[] = {
     { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, -20 }
 };
 
-/* Edges between wall and card. A pane before the card, so far in radii, and a sample's place in the pixel that is not
-   its centre. */
+/* Edges between wall and card; a pane before the card, at these distances in radii; a sample that is not at the pixel's
+   centre. */
 static void edges_and_panes(void)
 {
     static const float away[] = { 0, 0.1f, 0.5f, 2 };
@@ -325,14 +325,14 @@ static void edges_and_panes(void)
             SHOW(worst < 2e-3 && plain > 0.3, "%s: off by %.4f; of one value a pixel by %.4f", name, worst, plain);
         }
         GLuint framebuffer = target_of(GL_TEXTURE_2D, target);
-        for (int a = 0; a <= ROWS(away); ++a) {            /* the last one, steep, is not away */
+        for (int a = 0; a <= ROWS(away); ++a) {            /* the last one, the steep card, is not away */
             const int last = a == ROWS(away);
             const painted p = { last ? steep : planes[1], 0, { 0.375f, -0.125f }, last ? 0 : away[a], 1, 0 };
             if (!paint(d, result[last], eye, &p) || !TRY(kit_texture_read(target, SIDE, SIDE, 1, out))) return;
             if (!last) got[a] = (double)out[SIDE / 2 * SIDE + SIDE / 2];
             if (last || !a) lies = fmax(lies, beside(out));
         }
-        /* From full size a texel of another surface has no weight at all. */
+        /* At full resolution a texel of another surface has no weight at all. */
         SHOW(lies < 1e-3
                  && (d->gather.resolution ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65
                      && got[3] < 0.9

@@ -1,5 +1,5 @@
-/* test_scenes.c - scenes by name whose answer is a closed form or a sum over directions, each seen by several methods;
-   and what must not change a picture, over all methods. */
+/* test_scenes.c - named scenes whose answer is a closed form or a sum over directions, drawn by several methods; and
+   changes that must not change a picture, for all methods. */
 #include "t.h"
 #include "frames.h"
 
@@ -10,7 +10,7 @@
 static const double pi = 3.14159265358979;
 static kit_error err;
 
-/* A direction by the cosine about +z: sample i of so many squared. */
+/* Direction i of side x side, distributed by the cosine about +z. */
 static void lobe(double d[3], int i, int side)
 {
     const double z = sqrt((i / side + 0.5) / side), a = 2 * pi * (i % side + 0.5) / side, r = sqrt(1 - z * z);
@@ -21,9 +21,9 @@ static void lobe(double d[3], int i, int side)
 
 /* ---- bars over a floor, endless sideways, radius 1 --------------------------------------------------------------- */
 
-/* From where to where along the floor, away from the viewer, and over it. */
+/* A bar's extent along the floor, away from the viewer, and above it. */
 typedef struct bar { double y[2], h[2]; } bar;
-/* from: the angle between the view and straight down. upper: how far up the picture goes on from the receiver. */
+/* from: the angle between the view and straight down. upper: how far the picture extends upward from the receiver. */
 typedef struct profile { double from, upper; int bars; bar bar[6]; } profile;
 
 static const profile a_plate = { 45, 9, 1, { { { 0.2, 0.6 }, { 0.4, 0.5 } } } },
@@ -32,11 +32,11 @@ static const profile a_plate = { 45, 9, 1, { { { 0.2, 0.6 }, { 0.4, 0.5 } } } },
                      a_fence = { 0, 9, 6, { { { -0.7, -0.6 }, { 0.3, 0.31 } }, { { -0.5, -0.4 }, { 0.3, 0.31 } },
                                             { { -0.3, -0.2 }, { 0.3, 0.31 } }, { { 0.2, 0.3 }, { 0.3, 0.31 } },
                                             { { 0.4, 0.5 }, { 0.3, 0.31 } }, { { 0.6, 0.7 }, { 0.3, 0.31 } } } };
-/* A card that stands out of the picture by less and less: its middle is at 0.354 up from the receiver. */
+/* A card that leaves the picture by less and less. Its middle is at 0.354 upward from the receiver. */
 #define LEAVING(upper) { 45, upper, 1, { { { 0.1, 0.4 }, { 0.24, 0.26 } } } }
 static const profile leaving[5] = { LEAVING(0.2), LEAVING(0.3), LEAVING(0.4), LEAVING(0.6), LEAVING(9) };
 
-/* Where a line from y, h along dy, dh is in a bar; 0: it misses. edge: whether it enters through a side. */
+/* Where a line from y, h along dy, dh enters and leaves a bar; 0: it misses. edge: whether it enters through a side. */
 static int crosses(const bar *p, double y, double h, double dy, double dh, double t[2], int *edge)
 {
     const double a = (p->y[0] - y) / dy, b = (p->y[1] - y) / dy, c = (p->h[0] - h) / dh, d = (p->h[1] - h) / dh;
@@ -46,7 +46,7 @@ static int crosses(const bar *p, double y, double h, double dy, double dh, doubl
     return t[0] < t[1] && t[0] > 0;
 }
 
-/* The share of directions that bars block, falling off with the distance. Beyond the picture nothing is. */
+/* The share of directions that bars block, falling off with distance. Beyond the picture nothing blocks. */
 static double blocked(const profile *p)
 {
     enum { N = 500 };
@@ -64,8 +64,8 @@ static double blocked(const profile *p)
     return sum / ((double)N * N);
 }
 
-/* The picture, the bars of radiance 1, 0.5, 0.5; the receiver is seen through the middle of a row, which is returned;
-   0: it failed. */
+/* The G-buffer of a profile, with bars of radiance 1, 0.5, 0.5. The receiver is at the middle of a row, whose number is
+   returned; 0: failed. */
 static int profile_seen(kit_gbuffer *g, const profile *p)
 {
     kit_camera camera = looking_along_z(WIDE, HIGH, 1);
@@ -77,7 +77,7 @@ static int profile_seen(kit_gbuffer *g, const profile *p)
                            &err)))
         return 0;
     for (int row = 0; row < HIGH; ++row) {
-        /* at view depth 1; the receiver is at depth 4 */
+        /* the ray's point at view depth 1; the receiver is at depth 4 */
         const double up = (row - at) * pixel, y = up * c - 3 * s, h = up * s + 3 * c;
         double v[7] = { 0, 0, s, c, 0, 0, 0 }, t[2], stop[16], light = 0;
         int found = 0;
@@ -109,12 +109,12 @@ static const double expected_beyond = 0.4;
 
 static void bars_cover_what_they_cover(void)
 {
-    enum { AO, LIGHT /* of a white sky */, BOUNCE /* of the bars */, UNSEEN /* of one-sided bars, by their backs */,
-           DARK /* the same, said to be dark */, CLAMPED /* to a luminance of 0.25 */ };
-    /* so much the library takes to leave a back; of a red of 1 */
+    enum { AO, LIGHT /* of a white sky */, BOUNCE /* of the bars */, UNSEEN /* backs of one-sided bars */,
+           DARK /* their backs are set to be dark */, CLAMPED /* to a luminance of 0.25 */ };
+    /* the share of 1 that reaches the receiver: the library's of a back; clamped, of red */
     static const double of_it[] = { 1, 1, 1, 0.35, 0, 0.25 / (0.2126 + 0.5 * (0.7152 + 0.0722)) };
     static const char *const seen[] = { "occlusion", "light", "bounce", "bounce", "bounce", "bounce" };
-    /* knows 0: the answer must be another, as these bars are not as thick as the setting assumes */
+    /* knows 0: the answer must differ, as these bars are not as thick as the setting assumes */
     static const struct { const char *name; const profile *p; const char *set; int sees, knows; } row[] = {
         { "a plate", &a_plate, "thickness=back", AO, 1 },
         { "a plate", &a_plate, "thickness=slabs", AO, 1 },
@@ -163,7 +163,7 @@ static void bars_cover_what_they_cover(void)
     kit_image_free(&white.env);
 }
 
-/* ---- bare planes: nothing occludes, whatever looks for it -------------------------------------------------------- */
+/* ---- bare planes: nothing occludes, for any method --------------------------------------------------------------- */
 
 /* irradiance over pi on surfaces with these normals, three channels each */
 static void cosine_integrals(double (*out)[3], const kit_image *env, const double (*n)[3], int normals)
@@ -182,7 +182,7 @@ static void cosine_integrals(double (*out)[3], const kit_image *env, const doubl
         }
 }
 
-/* A plane that is 0.03 deep, before another one that is 0.02 deep. */
+/* A plane of thickness 0.03 in front of one of thickness 0.02. */
 static int floors(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double plane[4])
 {
     static const double behind[3] = { 0.03, 0.05, 0.07 };
@@ -226,15 +226,15 @@ static int disagreeing(kit_gbuffer *bent, kit_gbuffer *steps, const kit_image *f
     return ok;
 }
 
-/* Planes at many slants, under a sky: every pixel shows what it shows at no radius, which is 1 or, but for what bands
-   lack, the sky's integral. */
+/* Planes at many slants, under a sky. Every pixel must show the value at no radius: 1, or the sky's integral as far as
+   the bands hold it. */
 static void planes_stay_open(void)
 {
     enum { WIDTH = 49, HEIGHT = 27, PIXELS = WIDTH * HEIGHT, PLANES = 4 };
-    /* darkened: the most; truth: off the integral at most, of the brightest plane's; below 0: off what harmonics have
-       of it, which bands leave out */
-    /* BENT: normals lean to the eye, as smooth ones of a coarse mesh may. STEPS: squares of 3x3 pixels have one depth
-       each, as splats have. */
+    /* darkened: the most; truth: the largest error against the sky's integral, over the brightest plane's; below 0:
+       against the part that the bands of harmonics hold */
+    /* BENT: normals lean to the eye, as smooth normals of a coarse mesh may. STEPS: squares of 3x3 pixels share one
+       depth, as splats do. */
     enum { PLAIN, BENT, STEPS, KINDS };
     static const struct { const char *method, *set; double darkened, truth; } row[] = {
         { "ssao", "blur=1", 1e-3, 0 },
@@ -306,7 +306,7 @@ static void planes_stay_open(void)
             kit_run run;
             if (!begin(&run, &g[kind][0], row[i].method, row[i].set, 0.5f, NULL, &sky)) return;
             const int bands = run.pass[run.passes - 1].desc.light.bands;
-            for (int k = 0; k < PLANES; ++k) {             /* a program a row, turned to every plane */
+            for (int k = 0; k < PLANES; ++k) {             /* one program a row, used for every plane */
                 kit_image out[2];
                 double vector[16], want[3];
                 open_vector(vector, world[k]);
@@ -343,17 +343,17 @@ static void planes_stay_open(void)
     kit_image_free(&sky.env);
 }
 
-/* ---- rooms in perspective: what of their walls lies in the picture ---------------------------------------------- */
+/* ---- rooms in perspective: the parts of their walls that lie in the picture ------------------------------------- */
 
-/* The eye is at the origin, looking along -z; walls n * x = n[3] enclose what is inside. */
+/* The eye is at the origin and looks along -z. Walls n * x = n[3] enclose the inside. */
 typedef struct space { double fovy, near; int planes; double plane[5][4]; } space;
 
-/* The share of directions that meet a wall in the picture within the radius, falling off with the distance if so
-   wished, at a point whose normal is n. */
+/* The share of directions from a point with normal n that meet a wall in the picture within the radius. falls: with
+   linear falloff. */
 static double walled(const space *s, const double at[3], const double n[3], double aspect, double radius, int falls)
 {
     enum { N = 64 };
-    const double up = tan(s->fovy * pi / 360), u[3] = { n[2], n[0], n[1] };      /* axes permuted: n is one of them */
+    const double up = tan(s->fovy * pi / 360), u[3] = { n[2], n[0], n[1] };      /* axes permuted, as n is an axis */
     const double v[3] = { n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0] };
     double sum = 0;
     for (int i = 0; i < N * N; ++i) {
@@ -372,9 +372,9 @@ static double walled(const space *s, const double at[3], const double n[3], doub
     return sum / (N * N);
 }
 
-/* A corner of floor and wall through a wide lens, far off its axis; a wall that the near plane cuts; a white room
-   through its open front, and the light of its walls in the dark: what they do not let in they send. Beyond the picture
-   more is expected than nothing, so that it is darker than the sum by up to the last column. */
+/* A corner of floor and wall through a wide lens, far off its axis; a wall that the near plane cuts; a white room seen
+   through its open front; and the light of its walls in the dark, which is the light that they keep out. Beyond the
+   picture slices expect some occluders, so they are darker than the sum by up to the last column. */
 static void rooms_are_seen(void)
 {
     enum { HEIGHT = 48, WIDTH = 2 * HEIGHT, PIXELS = WIDTH * HEIGHT, PHASES = 2, BORDER = 3 };
@@ -424,7 +424,7 @@ static void rooms_are_seen(void)
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
             || !begin(&run, &g, row[i].method, set, (float)row[i].radius, NULL, row[i].sends ? &dark : &white))
             return;
-        static double last[HEIGHT][WIDTH];         /* of the row before: the white room's, where this one shines */
+        static double last[HEIGHT][WIDTH];         /* of the row before: for the shining room, the white room's */
         memcpy(last, got, sizeof got);
         memset(got, 0, sizeof got);
         for (int phase = 0; phase < PHASES; ++phase) {
@@ -445,7 +445,7 @@ static void rooms_are_seen(void)
                              at[3] = { (2 * (x + 0.5) / WIDTH - 1) * up * 2 * z,
                                        (1 - 2 * (y + 0.5) / HEIGHT) * up * z, -z };
                 int inside = flat(&frame, x, y);
-                for (int p = 0; p < s->planes; ++p) {      /* a floor that shows through a cut wall is not */
+                for (int p = 0; p < s->planes; ++p) {      /* leaves out a floor that shows through a cut wall */
                     const double *w = s->plane[p];
                     inside &= w[0] * at[0] + w[1] * at[1] + w[2] * at[2] > w[3] - 1e-3;
                 }
@@ -474,10 +474,9 @@ static void rooms_are_seen(void)
 
 enum { SEEN_W = 96, SEEN_H = 56, SEEN = SEEN_W * SEEN_H };
 
-/* Visibility is compared, or outgoing radiance with the bounce. Compiling takes most of the time: these alone are drawn
-   in view depth, which frames have and their layers not, without perspective, with the far plane at infinity, by an
-   orthographic eye anywhere, with values that are set by the names of rows, one by one, and as engines have their
-   depth, without noise, which would be other noise upside down. */
+/* Compares visibility, or outgoing radiance with the bounce. Compiling takes most of the time, so only these rows are
+   drawn: in view depth, which frames have without layers; orthographic; with an infinite far plane; by orthographic
+   eyes anywhere; with loose uniforms; and with depth as engines have it, without noise, which differs upside down. */
 enum { IN_VIEW_DEPTH = 1, FLAT_TOO = 2, ENDLESS_TOO = 4, AFAR = 8, LOOSELY = 16, BARE = 32, NOWHERE_ELSE = 64 };
 static const struct { const char *method, *set; int also; } alike[] = {
     { "ssao", "thickness=solid", IN_VIEW_DEPTH | ENDLESS_TOO },
@@ -511,9 +510,9 @@ static const struct { const char *method, *set; int also; } alike[] = {
 enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, EIGHTH, EIGHT, TENTH, TEN, ROLLED, DISTANT, DISTANT_LINEAR,
        DISTANT_DECODED, DISTANT_OWN, WITHIN, WITHIN_LINEAR, WITHIN_DECODED, WITHIN_OWN, LOOSE, LEFT_HANDED, SLICED,
        SAMPLED, OBLIQUE, UPSIDE_DOWN, WAYS };
-/* most: the share of values that may be apart by over 1 % of the mean: samples that rounding puts beside an edge; or
-   the RMSE, of the mean. Powers of two change no digit of a float. away: of an orthographic eye, in sevenths. decodes:
-   what a text of one's own calls. */
+/* most: the share of values that may differ by over 1 % of the mean, as rounding moves samples across edges; or with
+   rmse the RMSE over the mean. Powers of two change no digit of a float. away: distance of an orthographic eye, in
+   sevenths. decodes: the function that a shader's own fetch calls. */
 static const struct { const char *name; double scale, most; int rmse, needs, linear; float away; const char *decodes;
 } way_of[WAYS] = { { "reversed depth", 1, 0, 0, 0, 0, 1.5f, NULL },
                    { "normal depth", 1, 0.03, 0, 0, 0, 1.5f, NULL },
@@ -541,8 +540,7 @@ static const struct { const char *name; double scale, most; int rmse, needs, lin
                    { "an oblique near plane", 1, 0.003, 1, BARE, 0, 1.5f, NULL },
                    { "upside down", 1, 0.001, 0, BARE, 0, 1.5f, NULL } };
 
-/* Two textures of four samples, bound where the gather reads them: the first sample of each is what the G-buffer has,
-   the others are nonsense. */
+/* Two textures of four samples for the gather: the first sample is the G-buffer's, and the others are nonsense. */
 static int sampled(GLuint texture[2], const kit_gbuffer *g)
 {
     static const char *const source[2] = {
@@ -581,7 +579,7 @@ static int sampled(GLuint texture[2], const kit_gbuffer *g)
     return ok;
 }
 
-/* The projection with a near plane of its own, in view space, the scene beyond it [Lengyel 2005]. */
+/* Gives the projection another near plane, in view space; the scene is beyond it [Lengyel 2005]. */
 static void oblique_plane(float m[16], const double plane[4])
 {
     const double q[4] = { (copysign(1, plane[0]) + (double)m[8]) / (double)m[0],
@@ -592,7 +590,7 @@ static void oblique_plane(float m[16], const double plane[4])
     for (int k = 0; k < 4; ++k) m[4 * k + 2] = (float)(2 / at * plane[k] + (k == 2 ? 1 : 0));
 }
 
-/* The eye of an orthographic camera moves on until the near plane is two units behind it. */
+/* Moves an orthographic camera's eye forward until the near plane is two units behind it. */
 static int step_within(kit_gbuffer *g, int linear)
 {
     static float z[SEEN];
@@ -613,7 +611,7 @@ static int step_within(kit_gbuffer *g, int linear)
 static int as_engines_have(kit_gbuffer *g, int way)
 {
     static float z[SEEN], n[4 * SEEN], depth[2 * SEEN], normal[8 * SEEN];
-    const int layer = way == SLICED;                       /* slice 0 shows nothing */
+    const int layer = way == SLICED;                       /* layer 0 shows no surface */
     const float *const p = g->projection, was[16] = { p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10],
                                                       p[11], p[12], p[13], p[14], p[15] };
     GLuint texture[2];
@@ -650,7 +648,7 @@ static int as_engines_have(kit_gbuffer *g, int way)
     return 1;
 }
 
-/* The room, under a sky and a lamp, in so many units, by a camera that differs. */
+/* The room, under a sky and a lamp, in these units, by a camera that differs. */
 static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, int orthographic)
 {
     static const int margin[4] = { 8, 4, 12, 16 };
@@ -680,7 +678,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     }
     /* multiples of the noise's tile */
     if (way == SHIFTED) { c->shift[0] = 16; c->shift[1] = -8; }
-    if (way == ROLLED) {                                   /* what was to the left is up */
+    if (way == ROLLED) {                                   /* left becomes up */
         c->up[0] = c->target[2] - c->eye[2]; c->up[1] = 0; c->up[2] = c->eye[0] - c->target[0];
         c->fovy = (float)(360 / pi * atan(tan((double)c->fovy * pi / 360) * SEEN_W / SEEN_H));
     }
@@ -703,7 +701,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
         kit_gbuffer_free(&window);
     }
     if (!as_engines_have(g, way)) return 0;
-    for (int y = 0; y < g->height && way == INSIDE; ++y) {   /* near depths beside the picture must not matter */
+    for (int y = 0; y < g->height && way == INSIDE; ++y) {   /* depths around the picture must not matter */
         float beside[SEEN_W + 20];
         for (int i = 0; i < SEEN_W + 20; ++i) beside[i] = 0.9f;
         glBindTexture(GL_TEXTURE_2D, g->depth);
@@ -713,8 +711,8 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     return 1;
 }
 
-/* Of the first channels: the share of values that are apart by over 1 % of a's mean, and the RMSE, of that mean. b is
-   so far to the right and below. */
+/* The share of values in the first channels that differ by over 1 % of a's mean, and the RMSE over that mean. b is
+   shifted to the right and down by dx, dy. */
 static double apart(double *rmse, const kit_image *a, const kit_image *b, int dx, int dy, int border)
 {
     const int channels = a->channels > 1 ? 3 : 1;
@@ -733,7 +731,7 @@ static double apart(double *rmse, const kit_image *a, const kit_image *b, int dx
     return (double)off / n;
 }
 
-/* One picture of a way; plain: without noise. Passes are given programs of their own. */
+/* Draws one picture of a way. plain: without noise. Passes get programs of their own. */
 static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int way, int plain, const kit_scene *scene,
                    const kit_lighting *l)
 {
@@ -760,13 +758,13 @@ static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int w
         p->desc.input.array = way == SLICED;
         p->desc.input.multisampled = way == SAMPLED;
         p->desc.input.oblique = way == OBLIQUE;
-        if (decodes) {                                     /* its sampler is at unit 0, where the rows have depth */
+        if (decodes) {                                     /* its sampler is at unit 0, where rows have depth */
             p->desc.input.depth = SSGI_GL_DEPTH_CUSTOM;
             p->desc.shader.fetch = text;
             ok = ok && TRY(!(p->program = kit_pass_program(&p->desc, &err)));
         } else ok = ok && TRY(kit_pass_make(p, &err));
     }
-    run.frame.slice = way == SLICED;
+    run.frame.layer = way == SLICED;
     if (way == UPSIDE_DOWN) {
         ssgi_view view;
         ssgi_gl_frame turned;
@@ -786,7 +784,7 @@ static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int w
     return ok;
 }
 
-/* The ways from first to last, beside reversed depth; without perspective from, to. */
+/* Compares the ways from first to last with reversed depth; in perspective (0) or orthographic (1), from .. to. */
 static void nothing_changes(int first, int last, int from, int to)
 {
     const int apart_from_others = way_of[first].needs & (AFAR | LOOSELY | BARE), plain = way_of[first].needs == BARE;
@@ -806,13 +804,13 @@ static void nothing_changes(int first, int last, int from, int to)
                 char set[128];
                 const int gathers = strncmp(alike[m].method, "dss", 3) && strcmp(alike[m].method, "aof");
                 snprintf(set, sizeof set, "%s%s", gathers ? "noise=texture," : "", alike[m].set);
-                /* at half size another pixel of each 2x2 is drawn: another picture */
+                /* at half resolution another pixel of each 2x2 is drawn, so the picture differs */
                 if (way == ROLLED && (!gathers || strstr(set, "resolution=half"))) continue;
                 if (way == SHIFTED && !strncmp(alike[m].method, "dss", 3)) continue; /* blocks are of 32 pixels */
                 if ((alike[m].also & needs) != needs
                     || (alike[m].also & NOWHERE_ELSE && !apart_from_others))
                     continue;
-                /* widths begin at a 2x2's lower left, which is another upside down */
+                /* thickness begins at a 2x2's lower left pixel, which is another one upside down */
                 if (way == UPSIDE_DOWN && !strstr(set, "thickness=constant")) continue;
                 if (!seen_by(&other, &g, m, set, way, plain, &scene, &l)) return;
                 if (way == REVERSED) { reference[m] = other; continue; }
@@ -825,7 +823,7 @@ static void nothing_changes(int first, int last, int from, int to)
                         turned.data[i] = other.data[i / SEEN * SEEN + from_there];
                     }
                 }
-                if (way == ROLLED) {           /* no more than noise apart, which another phase tells */
+                if (way == ROLLED) {           /* may differ by no more than another phase of the noise */
                     snprintf(set + strlen(set), 16, ",phase=0.39");
                     kit_image again;
                     if (!seen_by(&again, &g, m, set, way, plain, &scene, &l)) return;
@@ -859,7 +857,7 @@ static void eyes_stand_anywhere(void)      { nothing_changes(DISTANT, WITHIN_OWN
 static void uniforms_may_be_loose(void)    { nothing_changes(LOOSE, LOOSE, 0, 0); }
 static void what_engines_have(void)        { nothing_changes(LEFT_HANDED, UPSIDE_DOWN, 0, 0); }
 
-/* Targets that are larger, with the picture at (8, 6) in them; around it is what was there. */
+/* Larger targets, with the picture at (8, 6) in them. Around it they must keep their old values. */
 static void targets_have_room(void)
 {
     enum { BEYOND = 20, WIDE_ = SEEN_W + BEYOND, HIGH_ = SEEN_H + BEYOND };
@@ -888,7 +886,7 @@ static void targets_have_room(void)
             kit_pass *p = &run.pass[k];
             resize(p, p->width + BEYOND, p->height + BEYOND, sevens);
             if (p->target[0]) continue;
-            const GLuint array = run.texture[run.textures++] =  /* its target is a slice of emitters */
+            const GLuint array = run.texture[run.textures++] =  /* its target is a layer of emitters */
                 kit_texture_array(p->width, p->height, 1, p->step->output[0].format->internal, sevens);
             kit_run_input(&run, "t_ssgi_emitters", array);
             glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
@@ -922,7 +920,7 @@ static void targets_have_room(void)
 
 /* ---- beside rays ------------------------------------------------------------------------------------------------- */
 
-/* Turns every triangle the other way round. */
+/* Reverses the winding of every triangle. */
 static void turn_inside_out(kit_mesh *mesh)
 {
     for (size_t t = 0; t < mesh->triangles; ++t)
@@ -934,10 +932,10 @@ static void turn_inside_out(kit_mesh *mesh)
         }
 }
 
-/* A ball that is inside out looks like a sheet to who reads back faces, which costs little. A strip of 720 rows through
-   a telescope, where rounded depths are nothing to see. What a picture from above lacks, which extra cameras know: a
-   wall beside it, and a plate whose underside it does not see, by which points below it seem to be blocked. Lamps
-   alone, which bent normals have shadowed by maps, and under a sky. */
+/* A ball inside out looks like a sheet if a method reads back faces, which costs a little. Lenses: 720 rows through a
+   telescope, where the rounding of depth must not be seen. Extra cameras know what a picture from above lacks: a wall
+   beside it, and a plate's underside, without which points below the plate seem blocked. Lamps alone, whose shadows
+   bent normals take from maps, and with a sky. */
 static void near_their_truth(void)
 {
     enum { BALL, LENS, NARROW, NARROWEST, BESIDE, AFLOAT, LAMP, UNDER_SKY, PLACES };
@@ -962,7 +960,7 @@ static void near_their_truth(void)
         { "a plate afloat", "plane", &afloat, 1, &above, 0, 0.3f, NULL, NULL, 112, 63, 64 },
         { "a lamp in a box", "cornell", NULL, 0, NULL, 0, 0, NULL, "point:0,5,-2.8,20,20,20", 96, 54, 1 },
         { "columns under a sun and a sky", "columns", NULL, 0, NULL, 0, 0, "sky", "sun:1,2,1,3,3,3", 96, 54, 32 } };
-    /* most, least: the RMSE, of open places' or, where lamps shine, of the mean; bias: at most */
+    /* most, least: the RMSE over that of no occlusion, or with lamps over the mean; bias: at most */
 #define POINTS "bounce=none,blur=0,directions=33,samples=1,range_check=0,fade=none,thickness=solid"
 #define CAMERAS ",views=3,view_layers=2"
     static const struct { int place; const char *method, *set; double least, most, bias; } row[] = {

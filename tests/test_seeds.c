@@ -1,5 +1,5 @@
-/* test_seeds.c - scenes drawn from a seed: the kit's seeds.c, grammar.c, look.c, parts.c; and what charts of many rest
-   on: the laboratory's spread.c, units.c. */
+/* test_seeds.c - scenes by seed: the kit's seeds.c, grammar.c, look.c, parts.c; and the basis of charts of many scenes:
+   the laboratory's spread.c, units.c. */
 #include "t.h"
 #include "kit/kit_build.h"
 #include "kit/kit_gl.h"
@@ -36,7 +36,7 @@ static int all_finite(const kit_mesh *m)
     return 1;
 }
 
-/* What the picture shows: the share of its pixels that are hit, and the radius over its height at the median depth. */
+/* What a camera shows: the share of pixels with a hit, and the radius over the picture's height at the median depth. */
 static void seen(const kit_scene *s, double *share, double *reach)
 {
     enum { ACROSS = 48, DOWN = 27 };
@@ -64,8 +64,8 @@ static void seen(const kit_scene *s, double *share, double *reach)
     *reach = (double)s->radius / (c.fovy > 0 ? 2 * tan((double)c.fovy * KIT_PI / 360) * at : (double)c.ortho_height);
 }
 
-/* Two seeds of each kind. Of those from 1000 on is known what gcc and clang both built: whoever changes a scene changes
-   what charts were drawn of, and these lines. */
+/* Two seeds of each kind. For seeds from 1000 on the figures are those of gcc's and clang's builds: whoever changes a
+   scene changes the charts' scenes, and must change these lines. */
 static void scenes(void)
 {
     static const struct {
@@ -130,7 +130,7 @@ static void no_seeds(void)
     }
 }
 
-/* Of a package, in metres as its catalogue has them, on the floor that the camera sees it on. */
+/* A package's model, in metres as in its catalogue, on the floor of the camera's scene. */
 static void models_alone(void)
 {
     static const struct { const char *name; double height; } cases[] = {
@@ -150,9 +150,9 @@ static void models_alone(void)
     }
 }
 
-/* ---- parts: the areas of closed ones, as vectors, sum up to none, and they hold a volume ------------------------ */
+/* ---- parts: the area vectors of closed ones add up to 0, and they hold a volume --------------------------------- */
 
-/* The length of that sum, over all area. */
+/* The length of that sum, over the whole area. */
 static double open_share(const kit_mesh *m, double *volume)
 {
     double sum[3] = { 0 }, all = 0;
@@ -174,7 +174,7 @@ static void closed_parts(void)
     static const double half[3] = { 0.5, 0.3, 0.4 }, way[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 1 } },
                         outline[5][2] = { { 0.5, 0.5 }, { 0.7, 0 }, { 0.5, -0.5 }, { -0.5, -0.5 }, { -0.5, 0.5 } };
     static const char *const names[] = { "cushion", "bevelled box", "tube", "cable", "prism" };
-    static const double volumes[] = { 0.43, 0.45, 0.0942, 0.039, 1.1 }; /* of shapes near them */
+    static const double volumes[] = { 0.43, 0.45, 0.0942, 0.039, 1.1 }; /* of shapes like these */
     for (int k = 0; k < 5; ++k) {
         kit_build b;
         double volume;
@@ -199,8 +199,8 @@ static void closed_parts(void)
 
 /* ---- many scenes: their mean and its interval ------------------------------------------------------------------- */
 
-/* 0.2, 0.4, 0.6, 1.2 and one that is not known: mean 0.6, squares about it 0.56, so that the mean's standard error is
-   sqrt(0.56 / 3 / 4) = 0.216025. */
+/* 0.2, 0.4, 0.6, 1.2 and an unknown value: mean 0.6, squares about it 0.56, so the mean's standard error is sqrt(0.56 /
+   3 / 4) = 0.216025. */
 static void spreads(void)
 {
     static const double value[5] = { 0.4, (double)NAN, 1.2, 0.2, 0.6 };
@@ -212,16 +212,16 @@ static void spreads(void)
     CHECK(alone.count == 1 && isnan(alone.half), "of one alone: +- %g", alone.half);
 }
 
-/* ---- two builds: what differs, and the rows that are compared --------------------------------------------------- */
+/* ---- two builds: their differences, and the rows that are compared ---------------------------------------------- */
 
 enum { ACROSS_DIFFERS = 32, DOWN_DIFFERS = 16 };
 
-/* 1, 1, -1, -1, 1 .. across, all rows alike: 32 columns make 31 neighbours, 16 of them equal; of 29 pairs three apart
-   14 are equal. Patches of eight columns have mean 0. */
+/* 1, 1, -1, -1, 1 .. in each row: 32 columns have 31 pairs of neighbours, of which 16 are equal, and 29 pairs three
+   apart, of which 14 are. Patches of eight columns have mean 0. */
 static double stripes(int x, int y) { return (void)y, x & 2 ? -1 : 1; }
 
-/* The left half 1, the right one -1: one of 31 neighbours differs, three of 29 pairs; of two rows of four patches one
-   of three neighbours, none of the four above each other. */
+/* 1 in the left half, -1 in the right: 1 of 31 pairs of neighbours differs, and 3 of 29 three apart. Of two rows of
+   four patches, 1 of three pairs across differs, and none of the four above each other. */
 static double halves(int x, int y) { return (void)y, x < ACROSS_DIFFERS / 2 ? 1 : -1; }
 
 static double checks(int x, int y) { return (x + y) & 1 ? -1 : 1; }
@@ -258,7 +258,7 @@ static void differences(void)
               "%s: like itself %g, %g across, %g, %g down, %g from patch to patch", cases[k].name, c.across[0],
               c.across[1], c.down[0], c.down[1], c.patches);
     }
-    /* Halves of which 25 columns are seen: 16 and 9, which are off the mean by 18/25 and -32/25. */
+    /* Of the halves 25 columns are compared: 16 and 9, which differ from the mean by 18/25 and -32/25. */
     for (int i = 0; i < pixels; ++i) {
         mask[i] = i % ACROSS_DIFFERS < 25;
         kit_image_channel(&a, "A")[i] = mask[i] > 0 ? (float)halves(i % ACROSS_DIFFERS, 0) : NAN;
@@ -271,8 +271,8 @@ static void differences(void)
     kit_image_free(&b);
 }
 
-/* Of 512 pixels, two channels each, the first picture is off by 0.5 at every fourth: RMSE 0.25. The second one is off
-   by as much at half of those: its squared error is less by 0.25 at an eighth of the pixels, which deviate by 0.25
+/* Of 512 pixels with two channels, every fourth has an error of 0.5 in the first picture: RMSE 0.25. The second picture
+   has it at half of those, so its squared error is less by 0.25 at an eighth of the pixels, whose deviation is 0.25
    sqrt(7 / 64). */
 static void errors_by_hand(void)
 {
@@ -295,8 +295,8 @@ static void errors_by_hand(void)
     for (int k = 0; k < 3; ++k) kit_image_free(&p[k]);
 }
 
-/* Each is of a method, with settings that it takes, in a frame that has what they read; one picture's follow each
-   other. */
+/* Each row has a method that exists, settings that it accepts, and a frame with the inputs of both. Rows of one picture
+   follow each other. */
 static void subjects_sound(void)
 {
     kit_method m;
@@ -318,7 +318,7 @@ static void subjects_sound(void)
     }
 }
 
-/* A row that cannot be drawn would be found an hour into the chart. */
+/* Otherwise a row that cannot be drawn would be found an hour into the chart. */
 static void rows_sound(void)
 {
     const options all = { .quick = 1 };
@@ -349,7 +349,7 @@ static int one_row(FILE *html, const options *o, int k, row *rows, kit_error *er
     return 1;
 }
 
-/* A chart of so many units is measured, or goes on: whether each is as it was measured. */
+/* Measures a chart of so many units, or continues it. Returns whether each unit has the rows that were measured. */
 static int charted(const options *o, int count)
 {
     int good = 1;
@@ -373,7 +373,7 @@ static void units_resumed(void)
     char out[32];
     kit_error err;
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
-    snprintf(out, sizeof out, "of process %d", (int)getpid()); /* nobody else's units */
+    snprintf(out, sizeof out, "of process %d", (int)getpid()); /* of this process alone */
     const options o = { .out = out };
     measured = 0;
     for (int i = 0; i < 3; ++i) {

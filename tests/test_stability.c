@@ -1,5 +1,5 @@
-/* test_stability.c - what `make stability` finds to hold must go on holding: its own sweeps, the quick values, a few
-   methods each, by the bounds in causes.csv. */
+/* test_stability.c - results of `make stability` that must stay: its own sweeps at the quick values, of a few methods
+   each, within the bounds in causes.csv. */
 #include "t.h"
 #include "kit/kit_gl.h"
 #include "lab/stability/sweep.h"
@@ -7,7 +7,7 @@
 
 static const cause *now;
 
-/* The number of a curve of that name, of what is seen beside the methods for "", is within its bound. */
+/* The number of the curve with that label, or for "" of the reference beside methods, is within its bound. */
 static void bounded(const result *r, const char *label, double least, double most)
 {
     const curve *found = NULL;
@@ -39,7 +39,7 @@ static void holds_still(void)
         for (int m = 0; m < sweeps_methods; ++m)
             if (!strcmp(sweeps_method[m].label, bound[bounds].label)) o.methods += o.method[m] = 1;
     }
-    cause fewer = *now;                        /* an error hardly sees the truth's noise: far below the bounds */
+    cause fewer = *now;                        /* the truth's noise hardly changes an error */
     if (fewer.kind != DEVIATION) fewer.rays /= 2;
     if (!CHECK(!sweep(&r, &fewer, &o, now->name, &err), "%s", err.text)) return;
     for (int i = 0; i < bounds; ++i) bounded(&r, bound[i].label, bound[i].least, bound[i].most);

@@ -1,5 +1,5 @@
-/* test_steps.c - an embedder that knows nothing but ssgi_gl_steps and the rows: what it draws is what the kit draws;
-   ssgi_gl_step_check names what is bound wrong; and results stand on a picture. */
+/* test_steps.c - an embedder that uses only ssgi_gl_steps and the rows draws the kit's pictures; ssgi_gl_step_check
+   names wrong bindings; results are composed onto a picture. */
 #include "frames.h"
 #include "kit/kit_run.h"
 #include "t.h"
@@ -11,7 +11,7 @@ static kit_error err;
 enum { W = 120, H = 68, STEPS = 64 };
 
 typedef struct host {
-    GLuint yours[SSGI_GL_YOURS], picture, array;     /* array: surfels */
+    GLuint yours[SSGI_GL_YOURS], picture, array;     /* array: of the surfels */
     int surfels, occluders;
     kit_gbuffer *g;
     ssgi_gl_step step[STEPS];
@@ -22,7 +22,7 @@ typedef struct host {
 
 static GLuint keep(host *h, GLuint texture) { return h->all[h->textures++] = texture; }
 
-/* Compiled once a context, whoever draws: equal keys are equal texts. */
+/* Compiles a program once for each context: equal keys mean equal shaders. */
 static GLuint program_of(const ssgi_gl_desc *desc)
 {
     const uint64_t key = ssgi_gl_key(desc);
@@ -32,7 +32,7 @@ static GLuint program_of(const ssgi_gl_desc *desc)
     return program && !kit_program_keep(key, program, &err) ? program : 0;
 }
 
-/* Programs, textures, framebuffers: once. */
+/* Makes programs, textures and framebuffers once. */
 static int opened(host *h, const ssgi_gl_chain *chain)
 {
     const char *why = "";
@@ -49,11 +49,11 @@ static int opened(host *h, const ssgi_gl_chain *chain)
             const ssgi_gl_output *o = &s->output[k];
             attachments[k] = GL_COLOR_ATTACHMENT0 + (GLenum)k;
             for (int j = 0; o->texture >= 0 && j <= o->kept && !h->made[o->texture][j]; ++j)
-                h->made[o->texture][j] = keep(h, o->slices ? kit_texture_array(s->width, s->height, o->slices,
+                h->made[o->texture][j] = keep(h, o->layers ? kit_texture_array(s->width, s->height, o->layers,
                                                                              o->format->internal, NULL)
                                                          : kit_texture(s->width, s->height, o->format->internal, NULL));
-            if (o->slices)
-                glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments[k], h->made[o->texture][0], 0, o->slice);
+            if (o->layers)
+                glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments[k], h->made[o->texture][0], 0, o->layer);
             else
                 glFramebufferTexture2D(GL_FRAMEBUFFER, attachments[k], GL_TEXTURE_2D,
                                        o->texture < 0 ? h->picture : h->made[o->texture][0], 0);
@@ -69,7 +69,7 @@ static GLuint read_by(const host *h, const ssgi_gl_input *in)
     return !made ? h->yours[in->meaning] : in->last && made[1] ? made[1] : made[0];
 }
 
-/* What GL has bound there: a texture and its target. */
+/* The binding that GL has: a texture and its target. */
 static ssgi_gl_bound bound(GLuint texture, GLenum target)
 {
     ssgi_gl_bound b = { target, 0, 0, 0, GL_NEAREST, 0, GL_NEAREST };
@@ -114,7 +114,7 @@ static void draw_step(host *h, const ssgi_gl_frame *frame, int i)
                           : s->desc.pass == SSGI_GL_PASS_DSS ? h->surfels : h->occluders);
     glBindVertexArray((GLuint)was);
     glDisable(GL_BLEND);
-    for (int k = 0; k < s->outputs && s->output[k].kept; ++k) {         /* the two change places */
+    for (int k = 0; k < s->outputs && s->output[k].kept; ++k) {         /* both change places */
         GLuint *pair = h->made[s->output[k].texture], other = pair[0];
         pair[0] = pair[1];
         pair[1] = other;
@@ -135,7 +135,7 @@ static void shut(host *h)
     memset(h, 0, sizeof *h);
 }
 
-/* The chain of a method as the kit made it ready, and its textures as an embedder's. */
+/* The chain of a method as the kit made it, and its textures as an embedder's. */
 static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
 {
     ssgi_gl_chain chain;
@@ -170,7 +170,7 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
     return chain;
 }
 
-/* What is bound for every step is what it asks for. */
+/* ssgi_gl_step_check accepts the bindings of every step. */
 static void nothing_wrong(const host *h, const char *of)
 {
     for (int i = 0; i < h->steps; ++i) {
@@ -180,14 +180,14 @@ static void nothing_wrong(const host *h, const char *of)
             units[h->step[i].input[k].unit] = bound(read_by(h, &h->step[i].input[k]), h->step[i].input[k].target);
         for (int k = 0; k < h->step[i].outputs; ++k) {
             const ssgi_gl_output *o = &h->step[i].output[k];
-            targets[k] = bound(h->made[o->texture][0], o->slices ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
+            targets[k] = bound(h->made[o->texture][0], o->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
         }
         CHECK(!glGetTexLevelParameteriv || !ssgi_gl_step_check(why, sizeof why, &h->step[i], units, targets), "%s: %s",
               of, why);
     }
 }
 
-/* es: in a context of GLES as well */
+/* es: also in a context of GLES */
 static const struct { const char *method, *set; int pass, lit, es; } methods[] = {
     { "ssao", "", SSGI_GL_PASS_SSAO, 0, 0 }, { "hsao", "", SSGI_GL_PASS_HSAO, 0, 1 },
     { "hsao-march", "blur=0", SSGI_GL_PASS_HSAO, 0, 0 }, { "ssdo", "environment=sh", SSGI_GL_PASS_SSDO, 1, 0 },
@@ -211,7 +211,7 @@ static int ready(kit_run *run, host *h, ssgi_gl_chain *chain, int m, kit_scene *
 
 static const char *context;
 
-/* Each method by the loop above, next to the kit's picture; and nothing is bound wrong on the way. */
+/* Draws each method by the loop above. The picture must be the kit's, and no binding wrong. */
 static void every_method(void)
 {
     kit_scene scene;
@@ -250,7 +250,7 @@ static void every_method(void)
                 worst = off > worst || off != off ? off : worst;
             }
         }
-        /* what surfels add up depends on the order that blending takes */
+        /* the sum of surfels depends on the order of blending */
         CHECK(worst <= (methods[m].pass == SSGI_GL_PASS_DSS ? 1e-4 : 0), "%s %s: %s: off by %g", context,
               methods[m].method, methods[m].set, worst);
         shut(&h);
@@ -262,8 +262,8 @@ static void every_method(void)
     kit_image_free(&l.env);
 }
 
-/* The passes of the library's chain of a name are those that build/render draws. The scene alone sets: objects, where
-   there are some, and levels, by the radius. */
+/* The library's chain for a name has the passes that build/render draws. Only the scene sets objects, if it has some,
+   and levels, from the radius. */
 static void methods_by_name(void)
 {
     const ssgi_gl_method *named;
@@ -306,7 +306,7 @@ static void methods_by_name(void)
     kit_image_free(&lamp.env);
 }
 
-/* What a name means, or how its refusal begins, which leaves the chain as it was. */
+/* The chain that a name gives, or the beginning of its refusal, which leaves the chain as it was. */
 static void names_of_methods(void)
 {
     static const struct { const char *name, *same, *why; } names[] = {
@@ -354,7 +354,7 @@ static void names_of_methods(void)
     CHECK(!memcmp(&frame, &was, sizeof frame), "a refusal changes the frame");
 }
 
-/* One thing wrong at a time: the sentence names step, texture, unit. */
+/* One mistake at a time; the sentence names its step, texture and unit. */
 static void wrong_things(void)
 {
     kit_scene scene;
@@ -388,7 +388,7 @@ static void wrong_things(void)
         if (wrong == 7) target.format = GL_RGBA8;
         if (wrong == 8) u[depth].magnify = GL_LINEAR;
         const size_t n = ssgi_gl_step_check(why, sizeof why, blur, u, &target);
-        /* units exchanged: depth is smaller or of a format that it must not be, and so is the other */
+        /* exchanged units: one texture is too small or of a wrong format, and so is the other */
         CHECK(wrong == 1 ? n && strstr(why, "blur: t_ssgi_")
                          : wrong ? n == strlen(why) && strstr(why, says[wrong]) != NULL : !n && !*why,
               "%d: \"%s\" (expected %s)", wrong, why, says[wrong]);
@@ -399,8 +399,8 @@ static void wrong_things(void)
     kit_scene_free(&scene);
 }
 
-/* A picture of 0.5, of which 0.25 is ambient, through each way onto it, next to the visibility that was read back, at
-   three strengths; 4 takes some to black. */
+/* Composes visibility onto a picture of 0.5, of which 0.25 is ambient, in each way, and compares with the visibility
+   that was read back. Three strengths; 4 makes some pixels black. */
 static void onto_a_picture(void)
 {
     kit_scene scene;
@@ -418,7 +418,7 @@ static void onto_a_picture(void)
     for (int i = 0; i < 4 * W * H; ++i) { half[i] = 0.5f; quarter[i] = 0.25f; }
     for (int onto = 1; onto <= SSGI_GL_ONTO_AMBIENT; ++onto)
         for (int way = 0; way < 4; ++way) {
-            const int blur = way != 0;                         /* by the filter itself, or by compose */
+            const int blur = way != 0;                         /* 1: by the filter; 0: by compose */
             const double strength = way == 2 ? 0.3 : way == 3 ? 4 : 1;
             const ssgi_gl_chain was = chain;
             double worst = 0;
@@ -453,7 +453,7 @@ static void onto_a_picture(void)
     kit_scene_free(&scene);
 }
 
-/* The value of a field in words: a number, or one of its own. */
+/* The value of a field in words: a number, or one of its words. */
 static int value_in(const ssgi_gl_choice *c, const char *text, size_t length)
 {
     int value = 0;
@@ -462,8 +462,8 @@ static int value_in(const ssgi_gl_choice *c, const char *text, size_t length)
     return atoi(text);
 }
 
-/* A chain in words: "pass=HSAO,blur=1" is fields of desc and of the chain; lights has lights by pass lights, and fields
-   behind it are theirs. */
+/* A chain in words: "pass=HSAO,blur=1" sets fields of desc and of the chain. After the word lights, which adds pass
+   lights, fields are those of lights. */
 static ssgi_gl_chain chain_in(const char *words)
 {
     ssgi_gl_chain chain;
@@ -492,7 +492,7 @@ static ssgi_gl_chain chain_in(const char *words)
     return chain;
 }
 
-/* What a chain may not ask for is named, and nothing is written. */
+/* A wrong field of a chain is named, and nothing is written. */
 static void refusals(void)
 {
     static const char *const row[][2] = {
@@ -538,7 +538,7 @@ static void refusals(void)
 enum { EYES = 2, EYE_FRAMES = 6 };
 static const int eye_size[EYE_FRAMES][2] = { { W, H }, { W, H }, { 88, 52 }, { 100, 60 }, { 100, 60 }, { W, H } };
 
-/* The frame of an eye, which follows the one before. */
+/* An eye's frame, with the frame before as the last one. */
 static int eye_frame(ssgi_gl_frame *f, const kit_gbuffer *now, const kit_gbuffer *last, float radius, int k)
 {
     const char *why = "";
@@ -555,14 +555,14 @@ static int eye_frame(ssgi_gl_frame *f, const kit_gbuffer *now, const kit_gbuffer
         && CHECK(ssgi_gl_frame_history(f, &view, to, from, &why) == SSGI_OK, "%s", why);
 }
 
-/* The texture that the last step wrote, as this frame left it. */
+/* The texture that the last step wrote in this frame. */
 static GLuint written_by(const host *h)
 {
     const ssgi_gl_output *o = &h->step[h->steps - 1].output[0];
     return h->made[o->texture][o->kept];
 }
 
-/* Textures of another size, but for those that the last frame left. */
+/* Makes textures of another size, but keeps those that the last frame wrote. */
 static int resized(host *h, const ssgi_gl_chain *chain)
 {
     host old = *h;
@@ -582,7 +582,7 @@ static int resized(host *h, const ssgi_gl_chain *chain)
     return 1;
 }
 
-/* G-buffers become layers of array textures, in their corner. */
+/* Copies G-buffers into a corner of the layers of array textures. */
 static int into_layers(GLuint array[2], const kit_gbuffer g[EYES])
 {
     static float texel[4 * W * H], layers[EYES * 4 * W * H];
@@ -601,7 +601,7 @@ static int into_layers(GLuint array[2], const kit_gbuffer g[EYES])
     return 1;
 }
 
-/* What a camera sees, with depth that a texture of any kind can hold. */
+/* A camera's G-buffer, with depth in a format that any kind of texture has. */
 static int eye_seen(kit_gbuffer *g, const kit_scene *scene, int k, int eye)
 {
     kit_camera c = scene->camera;
@@ -619,8 +619,8 @@ static int eye_seen(kit_gbuffer *g, const kit_scene *scene, int k, int eye)
     return made;
 }
 
-/* Two eyes, each with a history of its own, while the picture's size changes: as layers of array textures of the
-   greatest size, of which the picture takes a part; and alone, with textures that are made anew at each size. */
+/* Two eyes, each with its own history, while the picture's size changes: as layers of array textures of the largest
+   size, of which the picture is a part; and with single textures that are made anew at each size. */
 static void eyes(void)
 {
     static kit_gbuffer g[EYE_FRAMES][EYES];
@@ -649,7 +649,7 @@ static void eyes(void)
     for (int k = 0; k < EYE_FRAMES; ++k) {
         if (!into_layers(array, g[k])) return;
         for (int eye = 0; eye < EYES; ++eye) {
-            /* of a pair one texture is made anew at once, the other a frame later */
+            /* of a pair one texture is made anew now, and the other one frame later */
             const int w = eye_size[k][0], h = eye_size[k][1],
                       anew = (k && w != eye_size[k - 1][0]) || (k > 1 && w != eye_size[k - 2][0]);
             ssgi_gl_frame frame;
@@ -663,7 +663,7 @@ static void eyes(void)
             nothing_wrong(&alone[eye], "an eye");
             if (!eye_frame(&frame, &g[k][eye], k ? &g[k - 1][eye] : NULL, scene.radius, k)) return;
             draw(&alone[eye], &frame);
-            frame.slice = eye;
+            frame.layer = eye;
             draw(&layers[eye], &frame);
             if (!CHECK(!kit_texture_read(written_by(&alone[eye]), w, h, 4, want)
                            && !kit_texture_read(written_by(&layers[eye]), W, H, 4, got), "no result"))
@@ -689,8 +689,8 @@ static void eyes(void)
     kit_scene_free(&scene);
 }
 
-/* Pass thickness: once, before all that read it, for the one that wants the most of it; only where slices read it. A
-   tap costs as many fetches with it as without. */
+/* Pass thickness is drawn once, before all passes that read it, with the settings of the pass that needs most; and only
+   if slices read it. A sample costs as many fetches with it as without. */
 static void widths(void)
 {
     static const struct { int at, thickness; const char *chain; } row[] = {
@@ -751,7 +751,7 @@ static void widths(void)
     CHECK(fetches[0] > 1 && fetches[0] == fetches[1], "%d fetches with widths, %d without", fetches[1], fetches[0]);
 }
 
-/* The formats that steps give are among those that the rows of their outputs name, and inputs are where rows say. */
+/* The formats of steps are among those in the rows of their outputs, and inputs are at the units of their rows. */
 static void formats(void)
 {
     static const char *const chains[] = {
@@ -766,7 +766,7 @@ static void formats(void)
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
         const ssgi_gl_format *const last = step[n > 0 ? n - 1 : 0].output[0].format;
         CHECK(n > 0, "%s: %s", chains[i], why);
-        if (!strcmp(last->name, "R8")) { /* nothing else is in RGBA8 */
+        if (!strcmp(last->name, "R8")) { /* or RGBA8, for it alone */
             chain.rgba8 = 1;
             ssgi_gl_steps(step, STEPS, &chain, &why);
             CHECK(step[n - 1].output[0].format->internal == GL_RGBA8 && (n < 2 || step[0].output[0].format->bytes != 4
@@ -794,14 +794,14 @@ static void formats(void)
     }
 }
 
-/* What the last step of a chain brings, by its output's name, and whether that is its result or your picture. */
+/* The output of a chain's last step by its name, and whether it is a result or your picture. */
 static void results(void)
 {
     static const struct { const char *output; int steps; const char *chain; } row[] = {
         { "o_ssgi_bent", 3, "pass=S3HO,shading=BENT" },
         { "o_ssgi_bent", 4, "pass=S3HO,shading=BENT,blur=1,coefficients=1" },
         { "o_ssgi_light", 3, "pass=SSDO,environment=SH,blur=1" },
-        /* of light that no filter puts there */
+        /* of light that no filter writes */
         { "o_ssgi_picture", 3, "pass=SSDO,environment=MAP,onto=AMBIENT" },
         /* of virtual point lights, added to the bounce */
         { "o_ssgi_light", 6, "pass=SSDO,environment=MAP,bounce=SOLID_ANGLE,vpls=1,direct=1,lights" },
@@ -841,7 +841,7 @@ static void results(void)
     }
 }
 
-/* Of one camera and one layer of depth: every part of a chain there and not, in each preset. */
+/* With one camera and one layer of depth: each part of a chain on and off, in each preset. */
 static void room_for_steps(void)
 {
     enum { ENVIRONMENT = 1, BOUNCE = 2, LIGHTS = 4, HISTORY = 8, ONTO = 16, A = 32, B = 64, C = 128, ALL = 256 };
@@ -921,11 +921,11 @@ static ssgi_gl_chain any_chain(void)
         const int value = (int)t_below(2);
         memcpy((char *)&chain + c->offset, &value, sizeof value);
     }
-    chain.surfels = 0; /* These go into a buffer, which nothing here has. */
+    chain.surfels = 0; /* They go into a buffer, which this test has not. */
     return chain;
 }
 
-/* A texture of zeros that a sampler of this type can read, as large as it asks for. */
+/* A texture of zeros, as large as a sampler of this type needs. */
 static GLuint anything(const ssgi_gl_input *in)
 {
     const int width = in->width > 8 ? in->width : 8, height = in->height > 8 ? in->height : 8;
@@ -939,8 +939,8 @@ static GLuint anything(const ssgi_gl_input *in)
     return t;
 }
 
-/* Every chain that is accepted compiles, its framebuffers are complete, and it draws without an error. T_CHAINS in the
-   environment: so many instead of a few. */
+/* Every accepted chain compiles, has complete framebuffers, and draws without an error. T_CHAINS in the environment:
+   how many chains, instead of a few. */
 static void random_chains(void)
 {
     const char *const many = getenv("T_CHAINS");

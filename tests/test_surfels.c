@@ -1,5 +1,5 @@
-/* test_surfels.c - surfels and what is done with them: tessellation, sizes, reach, form factors, bounds, the dipole on
-   the CPU; the passes of deep screen space through the whole of GL, against brute force and truth. */
+/* test_surfels.c - surfels on the CPU: tessellation, sizes, reach, form factors, bounds, the dipole; and the passes of
+   deep screen space, drawn, against brute force and the truth. */
 #include "own.h"
 #include "frames.h"
 
@@ -30,7 +30,7 @@ static ssgi_surfel_source source_of(const float *position, size_t triangles)
     return s;
 }
 
-/* All surfels of a source, for the caller to free; a few that were there before stand behind them, untouched. */
+/* All surfels of a source, which the caller frees. Behind them stay a few that were there before, untouched. */
 static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view,
                                const ssgi_surfel_source *source)
 {
@@ -46,8 +46,8 @@ static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, cons
     return s;
 }
 
-/* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its
-   axis, too low beside it when d < 4 r (by half at d = r). */
+/* The form factor of a surfel's front, seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]. It is
+   exact on the surfel's axis, and too low beside it if d < 4 r (by half at d = r). */
 static float form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3])
 {
     float v[3], d2 = 0, above = 0, before = 0;
@@ -82,7 +82,7 @@ static void points(void)
 
 static void levels(void)
 {
-    /* where the level's even formula is full: floats stand on either side of it */
+    /* where the level's even formula is full, with a float on either side */
     for (int i = 1; i <= 64; ++i)
         for (int k = -1; k <= 1; ++k) {
             const float full = (3 * (float)(i + 1) * (float)(i + 1) + 1) / 4,
@@ -109,7 +109,7 @@ static double area_of(const ssgi_surfel *s, size_t count)
     return sum;
 }
 
-/* Twice its area along the normal of a triangle. */
+/* The normal of a triangle, of twice its area's length. */
 static void normal_of(const float p[9], float n[3])
 {
     float u[3], v[3];
@@ -124,14 +124,14 @@ static double area_of_triangle(const float p[9])
     return 0.5 * sqrt(dot(n, n));
 }
 
-/* Areas add up: of triangles that are split too; by chance of small ones. */
+/* Areas add up: of triangles that are split, too; of small triangles, as an expectation. */
 static void areas(void)
 {
     const kit_camera c[2] = { looking_along_z(160, 90, 0), looking_along_z(160, 90, 1) };
     enum { SMALL = 40000 };
     float *soup = malloc(9 * SMALL * sizeof *soup);
     double worst = 0;
-    /* one each, of all sizes, before the eye and behind */
+    /* one triangle each, of all sizes, before and behind the eye */
     for (int k = 0; k < 40; ++k) {
         const ssgi_surfel_desc d = { .size = 0.03f, .keep_small = 1 };
         const float extent = powf(10, 2.5f * t_uniform(0, 1) - 1.5f);
@@ -145,7 +145,7 @@ static void areas(void)
         free(s);
     }
     CHECK(worst < 1e-6, "areas are off by %.2g", worst);
-    /* a square of 1 x 1 as many, whose areas vary */
+    /* a square of 1 x 1 in so many triangles, whose areas vary */
     for (int m = 0; m < 2; ++m) {
         const ssgi_surfel_desc d = { .size = 0.012f, .keep_small = 0 };
         ssgi_view view;
@@ -160,7 +160,8 @@ static void areas(void)
         const ssgi_surfel_source all = source_of(soup, SMALL);
         ssgi_surfel *s = surfels_of(&n, &d, &view, &all);
         const double sum = area_of(s, n), wanted = ssgi_surfel_radius(&view, (double)d.size, 3),
-                     /* each kept with the chance p has area a/p: sum of a^2 (1/p - 1) = 3 pi r^2 sum a - sum a^2 */
+                     /* each is kept with chance p and has area a/p: the sum of a^2 (1/p - 1) = 3 pi r^2 sum a - sum
+                        a^2 */
                      variance = 3 * pi * wanted * wanted - 1.0 / SMALL;
         for (size_t i = 0; i < n; ++i)
             CHECK(fabs((double)s[i].radius / wanted - 1) < 1e-5, "radius %g, %g wanted", (double)s[i].radius, wanted);
@@ -173,7 +174,7 @@ static void areas(void)
     free(soup);
 }
 
-/* Ten thousand slivers: surfels stay in their triangles, discs too where they fit. */
+/* Ten thousand slivers: surfels stay in their triangles, and so do their discs, if these fit. */
 static void slivers(void)
 {
     const kit_camera c = looking_along_z(160, 90, 0);
@@ -202,7 +203,7 @@ static void slivers(void)
         double perimeter = 0;
         int level = 1;
         while (ssgi_tess_count(level) < (int)count) ++level;
-        /* the shrunk corners are the first ring's */
+        /* the shrunk corners are in the first ring */
         for (int k = 0; k < 9; ++k) small[k] = s[k / 3 * level].position[k % 3];
         const double area = area_of_triangle(p);
         normal_of(p, n);
@@ -226,7 +227,7 @@ static void slivers(void)
                 const double distance = dot(from, inward) / sqrt(dot(inward, inward));
                 outside += distance < -2e-7;
                 half += d.overhang && r <= 0.75 * inner && r - distance > 0.4 * r;
-                over += fit && r - distance > 1e-6 * r + 2e-7;                 /* and what float positions lose */
+                over += fit && r - distance > 1e-6 * r + 2e-7;                 /* and the rounding of positions */
             }
         free(s);
     }
@@ -247,9 +248,9 @@ static int all_finite(const ssgi_surfel *s, size_t n)
     return 1;
 }
 
-/* What is not a triangle, or underflows, gives nothing; what is odd something finite, as many as are predicted; corners
-   that shrink onto each other, and normals that are not finite, leave the triangle's own normal; what is far of what is
-   seen is left out; a mirrored mesh keeps its outside. */
+/* A bad or vanishing triangle gives no surfel; an odd one finite surfels, as many as predicted. If its corners shrink
+   onto each other, or its normals are not finite, it keeps its own normal. A triangle far from the view is left out. A
+   mirrored mesh keeps its outside. */
 static void odd_triangles(void)
 {
     static const float wrong[9] = { INFINITY, 0, 0, 0, NAN, 0, 0, 0, 0 };
@@ -291,7 +292,7 @@ static void odd_triangles(void)
         free(s);
     }
     static const float p[9] = { 5, 0, -3, 6, 0, -3, 5, 1, -3.2f }, tilted[9] = { 0.1f, 0, 1, 0, 0.2f, 1, 0, 0, 2 };
-    for (int k = 0; k < 2; ++k) {                                              /* 1.9 from the frustum's side */
+    for (int k = 0; k < 2; ++k) {                                              /* 1.9 beside the frustum */
         const ssgi_surfel_source source = source_of(p, 1);
         size_t n = 0;
         d.max_distance = k ? 2.0f : 0.5f;
@@ -300,7 +301,7 @@ static void odd_triangles(void)
         CHECK((n > 0) == k, "most %g: %zu surfels", (double)d.max_distance, n);
     }
     d.max_distance = 0;
-    /* mirrored and sheared: own normals, given ones */
+    /* mirrored and sheared: with its own normals, with given ones */
     for (int k = 0; k < 2; ++k) {
         ssgi_surfel_source source = source_of(p, 1);
         size_t n = 0;
@@ -329,7 +330,7 @@ static void odd_triangles(void)
 static void reach_and_shells(void)
 {
     int wrong = 0;
-    for (int k = 0; k < 100; ++k) {                        /* where the brightest, facing it, brings epsilon */
+    for (int k = 0; k < 100; ++k) {                        /* the place where the brightest brings epsilon */
         const double r = pow(10, 4 * t_within(0, 1) - 2), bright = 0.3 + 5 * t_within(0, 1),
                      epsilon = pow(10, -3 * t_within(0.17, 1)), far = ssgi_surfel_reach(r, bright, epsilon);
         CHECK(bright <= epsilon || fabs(bright * ssgi_surfel_form_factor(r, far) / epsilon - 1) < 1e-9,
@@ -337,7 +338,7 @@ static void reach_and_shells(void)
     }
     CHECK(ssgi_surfel_reach(1, 0.01, 0.02) == 0 && ssgi_surfel_reach(1, 0.02, 0.02) == 0,
           "what is too faint reaches somewhere");
-    /* level borders too; nothing beyond most */
+    /* also at the borders of levels; nothing beyond most */
     for (int k = 0; k < 3000; ++k) {
         const double reach = 0.1 + t_within(0, 1), most = k % 3 ? 1e18 : 20 * t_within(0, 1),
                      border = ldexp(reach, k % 6), d = k % 5 ? 70 * reach * t_within(0, 1) + 1e-9 : border;
@@ -361,7 +362,7 @@ static void reach_and_shells(void)
     }
 }
 
-/* Sums of surfels against what their surface subtends: a box of 4 x 4 x 4 from the middle of its floor. */
+/* Sums of surfels' form factors against their surface's exact one: a box of 4 x 4 x 4, seen from its floor's middle. */
 static void closed_forms(void)
 {
     const float up[3] = { 0, 0, 1 }, origin[3] = { 0, 0, 0 };
@@ -382,7 +383,7 @@ static void closed_forms(void)
     CHECK(fabs(room - 1) < 2e-3, "a room from inside sums to %.5f", room);
 }
 
-/* ---- what splats cover ------------------------------------------------------------------------------------------- */
+/* ---- pixels that splats cover ------------------------------------------------------------------------------------ */
 
 static const float both_sides[3] = { 0, 0, 0 };
 
@@ -435,7 +436,7 @@ static void bounds(void)
     t_note("%d spheres: out by %.1e pixels at most, bounds wider by %.3f of one at most", some, worst[0], worst[1]);
 }
 
-/* A surfel facing the viewer is s/2 heights wide, whatever its depth; behind the near plane surfels grow again. */
+/* A surfel that faces the viewer is s/2 picture heights wide at any depth. Behind the near plane surfels grow again. */
 static void radii(void)
 {
     kit_camera c = looking_along_z(160, 90, 0);
@@ -462,7 +463,7 @@ static void radii(void)
     }
 }
 
-/* What is predicted of triangles and of surfels, in a scene. */
+/* The numbers that are predicted for a scene, from its triangles and from its surfels. */
 static void predictions(void)
 {
     static const char *const names[2] = { "boxes", "pebbles" };
@@ -511,8 +512,8 @@ static void predictions(void)
     }
 }
 
-/* A ground of 2 km from the eye to the horizon, and a small triangle: the ground is divided until parts suffice, or
-   near the eye ten times; areas stay, and what is far aside is dropped. */
+/* A ground of 2 km, from the eye to the horizon, and a small triangle. The ground is divided until its parts suffice,
+   or near the eye ten times. Areas stay, and parts far aside are dropped. */
 static void divided(void)
 {
     static const float ground[27] = { -1000, 0,    -1000, -1000, 0, 1000, 1000, 0,    -1000, 1000, 0, -1000, -1000, 0,
@@ -570,7 +571,7 @@ static void divided(void)
     free(out);
 }
 
-/* Reflectance over a whole plane: the integral of 2 pi r R(r) [JMLH01]. */
+/* The reflectance over a whole plane: the integral of 2 pi r R(r) [JMLH01]. */
 static double total_of(const ssgi_dipole *d, int c)
 {
     return 0.5 * d->albedo[c] * (exp(-d->sigma_tr[c] * d->z_r[c]) + exp(-d->sigma_tr[c] * d->z_v[c]));
@@ -608,7 +609,7 @@ static void dipoles(void)
     CHECK(!kit_material_of(-1) && !kit_material_of(12) && kit_material_of(11), "materials end elsewhere");
 }
 
-/* ---- what is refused --------------------------------------------------------------------------------------------- */
+/* ---- refusals ---------------------------------------------------------------------------------------------------- */
 
 static void refusals(void)
 {
@@ -643,7 +644,7 @@ static void refusals(void)
     o = was;
     if (!view_of(&view, &c, 0)) return;
 #define REFUSED(call, name) T_REFUSED(call, SSGI_BAD_ARGUMENT, name, o, was)
-    /* a desc and a view wherever they are taken: past the rows no desc, then no view */
+    /* functions that take a desc and a view: after the bad descs first no desc, then no view */
     for (int k = 0; k < COUNT(descs) + 2; ++k) {
         const char *const name = k < COUNT(descs) ? descs[k].name : k == COUNT(descs) ? "desc" : "view";
         const ssgi_surfel_desc *desc = k < COUNT(descs) ? &descs[k].d : k == COUNT(descs) ? NULL : &d;
@@ -690,14 +691,14 @@ static void refusals(void)
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 1, NULL, &why), "lights");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, -1, NULL, &why), "light_count");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 0, black, &why), "sky");
-    for (int k = 0; k < COUNT(distances); ++k) { /* of a sun, of which one row follows */
+    for (int k = 0; k < COUNT(distances); ++k) { /* a sun that one row follows, for a wider map */
         const ssgi_gl_light suns[2] = { { .min_distance = distances[k] } };
         REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, suns, 2, NULL, &why), "lights.min_distance");
     }
     REFUSED(ssgi_gl_dipole_set(&o.frame, NULL, 1, &why), "frame, dipole");
     REFUSED(ssgi_gl_dipole_set(&o.frame, &fine, 0, &why), "unit");
 #undef REFUSED
-    /* small capacity: what fits, and the whole count */
+    /* a small capacity: as many as fit, and the whole count */
     size_t n = 0;
     ssgi_surfels(o.out, 1, &n, &d, &view, &source, NULL);
     CHECK(n > 2 && memcmp(&o.out[0], &was.out[0], sizeof was.out[0])
@@ -707,8 +708,8 @@ static void refusals(void)
           "53 x 37 becomes %d x %d", o.size[0], o.size[1]);
 }
 
-/* Level 0 of surfels of diameter 0.04 ends at 3 of their radii of 0.02 where epsilon is 0.1. The kit's dss asks for as
-   many as its settings do not name; half of the radius suffices where occlusion fades. */
+/* Level 0 of surfels with a diameter of 0.04 ends at 3 of their radii of 0.02 if epsilon is 0.1. The kit's dss asks for
+   as many levels as the radius needs, unless they are set; for half of the radius if occlusion fades. */
 static void levels_wanted(void)
 {
     static const struct {
@@ -739,7 +740,7 @@ typedef struct deep {
     float world[16];
 } deep;
 
-/* radius 0: no end. custom: GLSL of the tests' own, or NULL. */
+/* radius 0: no end. custom: the test's own GLSL, or NULL. */
 static int begin_deep(deep *d, const char *method, const char *set, float radius, const kit_lighting *lighting,
                       const char *custom)
 {
@@ -780,7 +781,7 @@ static void surface(deep *d)
     kit_scene_free(&d->scene);
 }
 
-/* Position and normal of a pixel, rows from the top. 0: background. */
+/* Position and normal of a pixel, the top row first; returns 0 for the background. */
 static int seen(const deep *d, int i, float p[3], float n[3])
 {
     const size_t pixels = (size_t)d->frame.width * (size_t)d->frame.height;
@@ -801,7 +802,7 @@ static ssgi_surfel *held(const deep *d, int buffer)
     return s;
 }
 
-/* Puts others in their place (way=cpu), and makes room for them lit. */
+/* Replaces the run's surfels (way=cpu), and makes room for lit ones. */
 static void hold(deep *d, const ssgi_surfel *s, size_t count)
 {
     for (int k = 0; k < 2 && d->run.buffers[k]; ++k) {
@@ -820,7 +821,7 @@ static int by_seed(const void *a, const void *b)
                                              : s->position[0] > t->position[0];
 }
 
-/* Triangles of all 64 levels, before an orthographic camera: as many discs of the radius as have the area. */
+/* Triangles of all 64 levels, before an orthographic camera. Each has the area of as many discs as its level makes. */
 static void every_level(deep *d, double size)
 {
     kit_mesh *m = &d->scene.mesh;
@@ -834,11 +835,11 @@ static void every_level(deep *d, double size)
     m->triangles = 64;
 }
 
-/* Tessellation shaders make what the CPU makes; pictures of all three ways agree. */
+/* Tessellation shaders make the CPU's surfels, and the pictures of all three ways agree. */
 static void three_ways(void)
 {
     static const char *const ways[] = { "cpu", "capture", "direct" };
-    /* normals need not be unit; where one is 0 a surfel has its triangle's own */
+    /* normals are not unit; if one is 0, a surfel has its triangle's normal */
     static const struct { const char *scene, *set; int orthographic, every; float normals; } row[] = {
         { "boxes", "size=0.04,overhang=centroid", 0, 0, 0 },
         { "pebbles", "size=0.04,overhang=incentre", 1, 0, 0.1f },
@@ -862,7 +863,7 @@ static void three_ways(void)
         ssgi_surfel *s[2] = { held(&d[0], 0), held(&d[1], 1) };
         size_t n[2] = { d[0].run.surfels, 0 }, i = 0, k = 0, same = 0;
         double worst = 0, rmse[2];
-        /* what others stand for has radius 0 */
+        /* surfels that another one stands for have radius 0 */
         for (size_t p = 0; p < d[1].run.surfels; ++p) if (s[1][p].radius > 0) s[1][n[1]++] = s[1][p];
         for (int a = 0; a < 2; ++a) qsort(s[a], n[a], sizeof *s[a], by_seed);
         while (i < n[0] && k < n[1]) {
@@ -888,8 +889,8 @@ static void three_ways(void)
     }
 }
 
-/* SSGI_GL_PASS_INTERLEAVE: every pixel that is dealt out once in every level, in the texel of its block, by chance; of
-   half size the first of every 2x2 is dealt out, of a quarter the first of every 4x4. */
+/* SSGI_GL_PASS_INTERLEAVE: each level has each pixel once, at a random texel of its block. At half resolution only the
+   first pixel of every 2x2 counts, at a quarter that of every 4x4. */
 static void interleaving(void)
 {
     enum { W = 53, H = 37, LEVELS = 5 };
@@ -944,16 +945,15 @@ static void interleaving(void)
     }
 }
 
-/* Surfels, and how a method's settings have a picture made of them. mean: over a pixel's neighbours and phases, so that
-   sub-buffers do not matter. */
+/* Surfels, and a method's settings for them. mean: over a pixel's neighbours and phases: sub-buffers do not matter. */
 typedef struct splatted {
     const ssgi_surfel *s;
     size_t count;
     int levels, hard, enlarge, added, mean;
 } splatted;
 
-/* What a surfel brings to a pixel, row y from the bottom, on the level whose shell it is in, if it is drawn into the
-   pixel's sub-buffer, as often as it is left out; or in the mean. */
+/* The value that a surfel adds to a pixel (y from the bottom) on the level of its shell. It counts only in its own
+   sub-buffer, and there as many times as there are sub-buffers; with mean once, in all. */
 static double brought(const deep *d, const splatted *of, const ssgi_surfel *s, int x, int y, const float p[3],
                       const float n[3])
 {
@@ -975,8 +975,8 @@ static double brought(const deep *d, const splatted *of, const ssgi_surfel *s, i
     return (double)form_factor(&wide, p, n) * fade * (of->enlarge ? 1 : 1 << 2 * l);
 }
 
-/* SSGI_GL_PASS_DSS, _DEINTERLEAVE and _SUM: how far a picture is from that sum over all surfels, at every step-th
-   pixel; most: the largest sum. What is not seen is 1. */
+/* SSGI_GL_PASS_DSS, _DEINTERLEAVE and _SUM: the difference between a picture and that sum over all surfels, at every
+   step-th pixel; most: the largest sum. A pixel without a surface is 1. */
 typedef struct offset { double worst, most, rmse, bias, dark; int off, pixels; } offset;
 
 static offset compared(const deep *d, const kit_image *out, const splatted *of, int step)
@@ -1005,10 +1005,9 @@ static offset compared(const deep *d, const kit_image *out, const splatted *of, 
     return o;
 }
 
-/* A scene's surfels: what is splatted is the sum over those of a pixel's own sub-buffers, not only in the mean; where
-   it is smoothed, in the mean. Of a picture without buffers of them (way=direct) those that the CPU makes. In turn:
-   whoever makes surfels may number them as published, instead of by a hash: on each level the k-th goes to sub-buffer k
-   modulo 4^level. */
+/* A scene's surfels: each pixel is the sum over the surfels of its own sub-buffers, and smoothed pixels are so in the
+   mean. A picture without surfel buffers (way=direct) is compared with the CPU's surfels. in_turn: surfels may also be
+   numbered as in the paper, instead of by a hash: on each level the k-th goes to sub-buffer k modulo 4^level. */
 static void as_brute_force(void)
 {
     static const struct { const char *set; splatted of; int orthographic, in_turn; float radius;
@@ -1060,7 +1059,7 @@ static void as_brute_force(void)
     kit_scene_free(&scene);
 }
 
-/* A surfel at a place of the world, facing a direction there. */
+/* A surfel at a place of the world, facing a direction. */
 static ssgi_surfel placed(const deep *d, float x, float y, float z, float nx, float ny, float nz, float radius,
                           float seed)
 {
@@ -1085,8 +1084,8 @@ static int of_these(kit_image *out, deep *d, const ssgi_surfel *s, size_t count)
 
 static const box block = { { -0.3f, 0, -0.3f }, { 0.3f, 0.6f, 0.3f } };
 
-/* Beside the picture, behind the eye, hidden, across the near plane: each darkens what it faces, as much as it would in
-   view; its back does nothing. */
+/* Surfels beside the picture, behind the eye, hidden, across the near plane: each darkens the surface that it faces as
+   much as it would in view. Its back does nothing. */
 static void unseen(void)
 {
     for (int m = 0; m < 2; ++m) {
@@ -1124,7 +1123,7 @@ static void unseen(void)
     }
 }
 
-/* Surfels one behind the other: shares of what is left, or sums to 1 at most. */
+/* Surfels one behind another take shares of the rest, or add up to 1 at most. */
 static void overlap(void)
 {
     for (int added = 0; added < 2; ++added) {
@@ -1146,7 +1145,7 @@ static void overlap(void)
     }
 }
 
-/* Occlusion by GLSL of one's own: a disc's reach and form factor. */
+/* Occlusion by the test's own GLSL: a disc's reach and form factor. */
 static const char disc[] =
     "float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon) {\n"
     "    return radius * sqrt(1.0 / epsilon - 1.0);\n"
@@ -1162,8 +1161,8 @@ static const char reaches_nowhere[] =
     "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 c, float e) { return 0.0; }\n"
     "vec4 ssgi_custom_effect(vec3 p, vec3 n, float r, vec3 c, vec3 P, vec3 m) { return vec4(1.0); }\n";
 
-/* What one's own effect brings is what the library's does: on a level, on several, enlarged; its channels are its own,
-   and what reaches nowhere brings nothing. */
+/* What a custom effect brings equals what the library's own brings, on one level, on several and enlarged. Its channels
+   are separate, and an effect without reach adds nothing. */
 static void custom(void)
 {
     static const char *const sets[] = { "levels=1", "levels=4,way=direct", "levels=4,enlarge=1",
@@ -1197,8 +1196,8 @@ static void custom(void)
     }
 }
 
-/* A white plane of surfels under a white sky: what leaves it is the dipole's total, also where surfels are wider than
-   the light enters deep. */
+/* A white plane of surfels under a white sky: the light that leaves it is the dipole's total, also if surfels are wider
+   than the light goes deep. */
 static void scattering(void)
 {
     enum { ROW = 200 };
@@ -1245,7 +1244,7 @@ static void scattering(void)
     kit_image_free(&l.env);
 }
 
-/* Surfels of two sides, light under the surface and an effect of one's own reach what is behind a surfel, too. */
+/* Surfels with two sides, light below the surface and one's own effect also reach places behind a surfel. */
 static void turned_over(void)
 {
     static const char even[] =
@@ -1278,7 +1277,7 @@ static void turned_over(void)
     kit_image_free(&l.env);
 }
 
-/* Of half size: what its filter brings to full size is near what is drawn there, with and without slices near by. */
+/* At half resolution the filtered picture is near that of full resolution, with and without slices near by. */
 static void half_size(void)
 {
     static const char *const channels[3][3] = { { "Y" },
@@ -1317,7 +1316,7 @@ static void half_size(void)
     kit_image_free(&l.env);
 }
 
-/* Floor within a surfel's radius of a wall: surfels alone leave it too bright, slices see the wall. */
+/* A floor within a surfel's radius of a wall. Surfels alone leave it too bright, but slices see the wall. */
 static void creases(void)
 {
     double rmse[2];
@@ -1348,9 +1347,9 @@ static void creases(void)
     t_note("%d pixels: RMSE %.4f, of surfels alone %.4f", pixels, rmse[1], rmse[0]);
 }
 
-/* Surfels send 2^-octaves..1, as many an octave, and are as large as makes their flux a power of it: half of the flux
-   is sent above ((1 + 2^(-octaves power)) / 2)^(1 / power). Bins of h = 1/8 octave in which flux is taken as even
-   mistake its logarithm by at most power h^2 / 8, an exponential's distance from its chord; or by a surfel more. */
+/* Surfels send 2^-octaves..1, as many in each octave, and their size makes their flux a power of that. Half of the flux
+   is sent above ((1 + 2^(-octaves power)) / 2)^(1 / power). Bins of h = 1/8 octave, in which flux counts as even, have
+   an error of the logarithm of at most power h^2 / 8, an exponential's distance from its chord; or one surfel more. */
 static void sent_by_half(void)
 {
     enum { N = 1 << 14 };
@@ -1379,8 +1378,8 @@ static void sent_by_half(void)
     }
 }
 
-/* One surfel alone in its bin stands in the middle, 1/16 octave below what it sends: in its largest component, colour
-   times irradiance over pi. */
+/* One surfel alone in its bin counts at the bin's middle, 1/16 octave below what it sends in its largest component:
+   colour times irradiance over pi. */
 static void sent_by_one(void)
 {
     static const ssgi_surfel surfel = { .position = { 1, 2, -5 }, .radius = 0.1f, .normal = { 0, 0, 1 },
@@ -1419,7 +1418,7 @@ static void sent_by_one(void)
         double sent = 0;
         memcpy(light[0].colour, colour, sizeof colour);
         memcpy(light[1].colour, colour, sizeof colour);
-        if (light[1].kind == SSGI_GL_LIGHT_SUN) light[1].min_distance = 0; /* no row follows */
+        if (light[1].kind == SSGI_GL_LIGHT_SUN) light[1].min_distance = 0; /* no row of a wider map follows */
         for (int c = 0; c < 3; ++c)
             sent = fmax(sent, (double)surfel.colour[c] * ((row[i].sky ? (double)sky[c] : 0)
                                                           + 2 * (double)colour[c] * row[i].facing / pi));
@@ -1432,9 +1431,8 @@ static void sent_by_one(void)
 #undef SIDE
 }
 
-/* Without slices every surfel sends its colour of a white sky, of which it takes as much as it is seen: bounce is
-   albedo times what of the light is missing, by the sky's brightness. Without the bounce light is the same, and its
-   truth has none either. */
+/* Without slices every surfel sends its colour times the white sky that it sees. The bounce is albedo times the missing
+   light, by the sky's brightness. Without the bounce the light is the same, and its truth has no bounce, either. */
 static void sky_returned(void)
 {
     static const struct { const char *set; float sky; } row[] = { { "span=0,size=0.05,bounce=none", 1 },

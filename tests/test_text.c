@@ -1,5 +1,4 @@
-/* test_text.c - the emitted text, by what any program may call: compilers, snprintf's law, reflection, names,
-   sentences. */
+/* test_text.c - the emitted shaders, by public functions: compilers, snprintf's rules, reflection, names, sentences. */
 #include "own.h"
 #include "kit/kit_gl.h"
 
@@ -11,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* A desc in words: "s3ho,search=points,layers=2" is a pass and fields. */
+/* A desc in words: a pass and fields, such as "s3ho,search=points,layers=2". */
 static ssgi_gl_desc desc_of(const char *words)
 {
     const size_t length = strcspn(words, ",");
@@ -34,7 +33,7 @@ enum {
     PROGRAM
 };
 
-static ssgi_gl_desc shape[6 * SSGI_GL_PASSES];             /* the passes, by each search and tessellated */
+static ssgi_gl_desc shape[6 * SSGI_GL_PASSES];             /* each pass, by its searches and tessellated */
 static int shapes;
 static ssgi_gl_desc variant[MOST];
 static int variants;
@@ -44,11 +43,11 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
     memcpy((char *)d + c->offset, &value, sizeof value);
 }
 
-/* How many values of a field variants have, from 0 on: all words, of a count the first few. */
+/* How many values of a field variants have, from 0 on: all words; of a count only the first few. */
 static int values_of(const ssgi_gl_choice *c)
 {
     const int own = !strncmp(c->field, "shader.", 7) || !strcmp(c->name, "pass") || !strcmp(c->name, "search")
-                    || !strcmp(c->name, "tessellate");      /* A shape has its own, a text that is compiled, too. */
+                    || !strcmp(c->name, "tessellate");      /* set by shapes and by dialects */
     return own ? 0 : *c->values || c->most < 3 ? c->most + 1 : c->most < 5 ? 4 : 3;
 }
 
@@ -63,7 +62,7 @@ static const char *describe(const ssgi_gl_desc *d)
     return text;
 }
 
-/* The stages of a pass, a bit each. */
+/* The stages of a pass, one bit each. */
 static int stages_of(const ssgi_gl_desc *d)
 {
     const int tessellated = d->surfel.tessellate && (d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_DSS);
@@ -73,7 +72,7 @@ static int stages_of(const ssgi_gl_desc *d)
            | (tessellated && d->pass == SSGI_GL_PASS_DSS ? 1 << SSGI_GL_STAGE_GEOMETRY : 0);
 }
 
-/* The text of a stage, "" of one that the pass does not have. */
+/* The shader of a stage, or "" if the pass does not have it. */
 static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
 {
     size_t n = ssgi_gl_emit(text, TEXT, d, stage);
@@ -82,13 +81,13 @@ static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
     return text;
 }
 
-/* Is the vertex stage more than a triangle? */
+/* Whether the vertex stage draws more than a triangle. */
 static int has_vertices(const ssgi_gl_desc *d)
 {
     return d->pass == SSGI_GL_PASS_AOF || d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_DSS;
 }
 
-/* A set of hashes: whether it had this one. It has it then. */
+/* A set of hashes. Returns whether it had this one, and adds it. */
 typedef struct set_of { uint64_t hash[1 << 15]; int count; } set_of;
 static int had(set_of *s, const char *text, size_t n)
 {
@@ -100,7 +99,7 @@ static int had(set_of *s, const char *text, size_t n)
     return 0;
 }
 
-/* A desc of a shape with values at random in the fields that it looks at. */
+/* A desc of a shape with random values in the fields that it looks at. */
 static ssgi_gl_desc drawn(int t)
 {
     ssgi_gl_desc d = shape[t];
@@ -115,11 +114,11 @@ static ssgi_gl_desc drawn(int t)
     return d;
 }
 
-/* Of two values of fields as they are resolved: whether a variant of the shape has both. */
+/* Whether some variant of the shape has both of two values of fields, after these are resolved. */
 enum { VALUES = 16 };
 static char together[VALUES * SSGI_GL__FIELDS][VALUES * SSGI_GL__FIELDS];
 
-/* How many pairs of values a desc has that no variant has. take: they now have them. */
+/* How many pairs of values a desc has that no variant has. take: marks them as had. */
 static int fresh_pairs(const ssgi_gl_desc *d, int take)
 {
     const ssgi_gl_desc resolved = ssgi_gl_resolve(d);
@@ -134,7 +133,7 @@ static int fresh_pairs(const ssgi_gl_desc *d, int take)
     return fresh;
 }
 
-/* Whether a desc has a line that the set did not have. */
+/* Whether a desc has a line that the set did not have; adds its lines. */
 static int has_new_line(set_of *lines, const ssgi_gl_desc *d)
 {
     static char text[TEXT];
@@ -145,9 +144,9 @@ static int has_new_line(set_of *lines, const ssgi_gl_desc *d)
     return lines->count > before;
 }
 
-/* A search or a tessellator is a shape where it changes the plain text. Of a few drawn descs of a shape the one with
-   most pairs that are new is taken, until none has any; then those with a line that none has yet, which wants more than
-   two fields; with T_ALL as many at random, for what three may do together. */
+/* A search or a tessellator is a shape if it changes the plain shader. Of a few random descs of a shape the one with
+   the most new pairs is taken, until none has a new pair; then descs with a new line, which depends on more than two
+   fields; with T_ALL as many random ones, for combinations of three. */
 static void make_variants(void)
 {
     enum { TRIES = 8, STALE = 4, MORE = 60 };
@@ -159,7 +158,7 @@ static void make_variants(void)
         if (d.pass == SSGI_GL_PASS_SSDO) d.light.environment = SSGI_GL_ENVIRONMENT_SH;
         ssgi_gl_desc slices = d, whole = d;
         slices.gather.search = whole.surfel.tessellate = 0;
-        const uint64_t key = ssgi_gl_key(&d);              /* 0: it is refused */
+        const uint64_t key = ssgi_gl_key(&d);              /* 0: refused */
         if (key && (i % 3 == 0 || key != ssgi_gl_key(&slices)) && (i % 6 < 3 || key != ssgi_gl_key(&whole)))
             shape[shapes++] = d;
     }
@@ -178,7 +177,7 @@ static void make_variants(void)
             if (!most) continue;
             fresh_pairs(&variant[variants], 1);
             const uint64_t key = ssgi_gl_key(&variant[variants]);
-            /* fields that this pass reads nothing by have pairs, too */
+            /* also fields that need no input can make pairs */
             if (!had(&keys, (const char *)&key, sizeof key)) has_new_line(&lines, &variant[variants++]);
         }
         for (int more = t_all() ? variants - before : 0, k = 0; k < MORE + more && variants < MOST; ++k) {
@@ -191,7 +190,7 @@ static void make_variants(void)
 
 /* ---- >>compilers ------------------------------------------------------------------------------------------------- */
 
-static struct { ssgi_gl_desc desc; int stage; } spoken[4 * MOST];       /* the texts that are compiled */
+static struct { ssgi_gl_desc desc; int stage; } spoken[4 * MOST];       /* the shaders that are compiled */
 static int texts;
 static struct { int texts, vulkan, read; char problem[1000]; } glslang;
 
@@ -200,20 +199,19 @@ static int is_es(const ssgi_gl_desc *d)
     return d->shader.dialect >= SSGI_GL_DIALECT_300ES && d->shader.dialect <= SSGI_GL_DIALECT_320ES;
 }
 
-/* The functions of pass FIELD, else those that read the pass's result; 0: it has none. */
+/* The functions of pass AOF, or those that read the pass's result; 0: it has none. */
 static size_t toolbox_of(char *out, size_t capacity, const ssgi_gl_desc *d)
 {
     return d->pass == SSGI_GL_PASS_AOF ? ssgi_gl_field(out, capacity, d) : ssgi_gl_read(out, capacity, d);
 }
 
-/* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of toolbox_of, in a fragment shader that calls
-   it. */
+/* The shader of a stage; PROGRAM: all stages, one after another; TOOLBOX: toolbox_of, with a main that calls it. */
 static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
 {
     if (stage == PROGRAM)
         for (int s = 0, at = 0; s < SSGI_GL_STAGES; ++s) at += (int)strlen(emit(text + at, d, s));
     if (stage != TOOLBOX) return stage == PROGRAM ? text : emit(text, d, stage);
-    size_t n = strcspn(emit(text, d, SSGI_GL_STAGE_VERTEX), "\n") + 1;      /* the version */
+    size_t n = strcspn(emit(text, d, SSGI_GL_STAGE_VERTEX), "\n") + 1;      /* the version line */
     n += (size_t)snprintf(text + n, TEXT - n, "%s",
                           is_es(d) ? "precision highp float;\nprecision highp int;\n"
                           : d->shader.dialect == SSGI_GL_DIALECT_VULKAN
@@ -232,7 +230,7 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
     return text;
 }
 
-/* Descs may have a text in common, of fields that a pass does not look at: it is compiled once. */
+/* Adds a desc's shader, unless another desc has the same, as a pass does not look at all fields. */
 static void speak_once(const ssgi_gl_desc *d, int stage)
 {
     static char text[SSGI_GL_STAGES * TEXT];
@@ -243,7 +241,7 @@ static void speak_once(const ssgi_gl_desc *d, int stage)
     spoken[texts++].stage = stage;
 }
 
-/* Gives a desc a dialect of desktop GL, ES or Vulkan; 0: it has none of that kind, as surfels have not for Vulkan. */
+/* Gives a desc a dialect of desktop GL, ES or Vulkan; 0: it has none of these, as surfels have none for Vulkan. */
 static int takes(ssgi_gl_desc *d, int way, int turn)
 {
     for (int k = 0; k < 3; ++k) {
@@ -253,7 +251,7 @@ static int takes(ssgi_gl_desc *d, int way, int turn)
     return 0;
 }
 
-/* Gives a desc sets and dense bindings, others by each number: in Vulkan's dialect, which alone looks at them. */
+/* Gives a desc sets and dense bindings by a number, for Vulkan's dialect, which alone looks at them. */
 static void placed(ssgi_gl_desc *d, int number)
 {
     d->shader.block_set = number % 3;
@@ -261,15 +259,15 @@ static void placed(ssgi_gl_desc *d, int number)
     d->shader.dense = number / 9 % 2;
 }
 
-/* Every variant in a desktop dialect, in an ES one or in Vulkan's, in turn, of those that it may have; with T_ALL in
-   all three: each choice meets each other choice, and each dialect. Of passes with a vertex stage of their own all
-   stages as one program; the others' vertex stage once a dialect; every toolbox in every dialect. */
+/* Adds every variant in a desktop dialect, an ES one or Vulkan's, in turn; with T_ALL in all three, so that each choice
+   meets each dialect. A pass with a vertex stage of its own is added with all stages; the other passes' vertex stage
+   once for each dialect; every toolbox in every dialect. */
 static void speak(void)
 {
     for (int i = 0; i < 3 * variants; ++i) {
         ssgi_gl_desc d = variant[i / 3];
         const int first = i / 3;
-        int turn = first % 3;                  /* the kind of dialect whose turn it is, if the desc has it */
+        int turn = first % 3;                  /* the kind of dialect, if the desc has one of it */
         for (int k = 0; k < 2 && !takes(&d, turn, first); ++k) turn = (turn + 1) % 3;
         if ((!t_all() && i % 3 != turn) || !takes(&d, i % 3, first)) continue;
         d.shader.lines = first % 8 == 0;
@@ -285,11 +283,11 @@ static void speak(void)
     }
 }
 
-/* of the stages' files, and of TOOLBOX's */
+/* of the stages' files, then of TOOLBOX's */
 static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "comp", "frag" };
 
-/* Many files a call, as a call takes a fifth of a second. For Vulkan (v) glslang links what it is called with, and
-   refuses to link many texts, but reads each first by Vulkan's rules, and that is what is looked at. */
+/* Compiles many files in a call, as a call takes a fifth of a second. For Vulkan (v) glslang links all files of a call,
+   and fails at many. But first it reads each file by Vulkan's rules, and only that result counts. */
 static void *glslang_run(void *folder)
 {
     static char text[TEXT];
@@ -323,7 +321,7 @@ static void *glslang_run(void *folder)
     return NULL;
 }
 
-/* A program of d's stages, with what transform feedback is to keep. */
+/* A program of d's stages, with the outputs that transform feedback keeps. */
 static GLuint linked(const ssgi_gl_desc *d)
 {
     static char text[SSGI_GL_STAGES][TEXT];
@@ -371,7 +369,7 @@ static int compiles(const ssgi_gl_desc *d, int stage)
     return CHECK(ok, "%s: %s", describe(d), log);
 }
 
-static int desktop;                        /* a context of desktop GL is open: from here to the end */
+static int desktop;                        /* 1: a context of desktop GL is open until the end */
 
 static void compilers(void)
 {
@@ -388,7 +386,7 @@ static void compilers(void)
             glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
             glGetIntegerv(GL_MINOR_VERSION, &version[1]);
         }
-        /* takes ES texts too: ARB_ES3_2_compatibility */
+        /* compiles ES shaders, too: ARB_ES3_2_compatibility */
         if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
         for (int i = 0, bad = 0; i < texts && bad < 3; ++i) {
@@ -410,7 +408,7 @@ static void compilers(void)
 
 /* ---- >>law: snprintf's ------------------------------------------------------------------------------------------- */
 
-/* Text number k: stages of some variants, then the functions that stand alone. */
+/* Shader number k: first stages of some variants, then the functions that stand alone. */
 static size_t any_text(int k, char *out, size_t capacity)
 {
     const ssgi_gl_desc *const d = &variant[k * (variants / 40)];
@@ -454,7 +452,7 @@ static void same_bytes(void)
                                          "fr_FR.utf8",  "nl_NL.UTF-8", "it_IT.UTF-8" };
     const char *with = NULL;
     ssgi_gl_desc a = { .shader.version = "#version 330 core\n", .shader.fetch = T_FETCH },
-                 b = a; /* ssao: the kernel's numbers */
+                 b = a; /* ssao has the kernel's numbers */
     char version[] = "#version 330 core\n", fetch[] = T_FETCH;
     b.shader.version = version;
     b.shader.fetch = fetch;
@@ -477,8 +475,8 @@ static void same_bytes(void)
 
 /* ---- >>reflection ------------------------------------------------------------------------------------------------ */
 
-/* What GL says of a linked program: places in the block, bindings without a call where the dialect has them, every
-   texture is read, and nothing is there that has no row. */
+/* GL agrees with the rows of a linked program: offsets in the block, bindings without a call if the dialect has them.
+   Every texture is read, and nothing lacks a row. */
 static void ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
     static const struct { const char *name; size_t most; } blocks[] = { { "ssgi_frame", sizeof(ssgi_gl_frame) },
@@ -515,7 +513,7 @@ static void ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
         else if (!texture) continue;
         else if (glGetUniformLocation(program, row[i].name) >= 0)
             glGetUniformiv(program, glGetUniformLocation(program, row[i].name), &value);
-        /* light of one band is the same for all normals, as GL's compilers find out */
+        /* light of one band is the same for all normals, so GL's compilers drop them */
         if (value < 0 && ssgi_gl_resolve(d).light.bands == 1 && texture && row[i].slot < 2) continue;
         uniforms -= texture;
         CHECK(value == want, "%s: %s is at %d for GL, the row says %d", describe(d), row[i].name, value, want);
@@ -524,8 +522,8 @@ static void ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
     glDeleteProgram(program);
 }
 
-/* Textures of a desc are at units, or in Vulkan's dialect at bindings, of their own, where no block is; outputs,
-   attributes and captures count up; a constant is declared with its value. */
+/* Each texture has its own unit, or in Vulkan's dialect its own binding, apart from the blocks. Outputs, attributes and
+   captures are numbered from 0 on. A constant is declared with its value. */
 static void check_places(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows, const char *fragment)
 {
     const int vulkan = d->shader.dialect == SSGI_GL_DIALECT_VULKAN;
@@ -579,8 +577,8 @@ static void reflection(void)
           "reflection of nothing");
 }
 
-/* Loose uniforms: the rows are the same, and the text is behind its declarations. What these leave out no compiler
-   finds; what they have too much, test "what is off leaves nothing" does. */
+/* With loose uniforms the rows are the same, and so is the shader behind its declarations. A compiler finds a missing
+   declaration; the test "what is off leaves nothing" finds one too many. */
 static void loose_uniforms(void)
 {
     static char text[TEXT], got[TEXT];
@@ -608,13 +606,13 @@ static void loose_uniforms(void)
 
 /* ---- >>vulkan ---------------------------------------------------------------------------------------------------- */
 
-/* The set and the binding of a name in SPIR-V, 100 * set + binding; -1: it has none. */
+/* The set and the binding of a name in SPIR-V, as 100 * set + binding; -1: it has none. */
 static int place_in(const uint32_t *word, size_t words, const char *name)
 {
     enum { NAME = 5, DECORATE = 71, VARIABLE = 59, POINTER = 32, BINDING = 33, SET = 34 };
     uint32_t id = 0, type = 0, variable = 0;
     int set = -1, binding = -1;
-    /* A block's name is that of its type, as it has no instance name. Variables come after names and decorations. */
+    /* A block goes by the name of its type, as it has no instance name. Variables follow names and decorations. */
     for (size_t i = 5; i < words; i += word[i] >> 16) {
         const uint32_t *const w = word + i, op = *w & 0xffff;
         if (!(*w >> 16)) return -1;
@@ -631,7 +629,7 @@ static int place_in(const uint32_t *word, size_t words, const char *name)
     return set < 0 || binding < 0 ? -1 : 100 * set + binding;
 }
 
-/* Whether a text has a word that it also declares, as members of a block are. */
+/* Whether a shader uses a word that it declares, such as a member of a block. */
 static int reads(const char *text, const char *word)
 {
     int times = 0;
@@ -639,8 +637,8 @@ static int reads(const char *text, const char *word)
     return times > 1;
 }
 
-/* What glslang makes of a text for Vulkan, all stages of which it links, has the sets and bindings of the rows, in the
-   block and in textures that the fragment stage reads. Returns how many. */
+/* In SPIR-V that glslang makes of all linked stages for Vulkan, the block and the textures of the fragment stage have
+   the sets and bindings of their rows. Returns how many. */
 static int asked_of_spirv(const char *in, const ssgi_gl_desc *d, const char *name, int place)
 {
     static char text[TEXT];
@@ -673,7 +671,7 @@ static int asked_of_spirv(const char *in, const ssgi_gl_desc *d, const char *nam
 
 static void places_in_spirv(void)
 {
-    /* A place is 100 * set + binding. */
+    /* place: 100 * set + binding. */
     static const struct { const char *desc, *name; int place; } row[] = {
         { "hsao,block_set=3,texture_set=2,dense=1,depth=linear", "t_ssgi_depth", 200 },
         { "hsao,block_set=3,texture_set=2,dense=1,depth=linear", "ssgi_frame", 300 },
@@ -689,7 +687,7 @@ static void places_in_spirv(void)
         d.shader.dialect = SSGI_GL_DIALECT_VULKAN;
         told += asked_of_spirv(folder, &d, row[i].name, row[i].place);
     }
-    for (int i = 0; i < variants; ++i) {                   /* stages that hand on more than a place on the screen */
+    for (int i = 0; i < variants; ++i) {                   /* stages with a varying besides the position */
         ssgi_gl_desc d = variant[i];
         if (!has_vertices(&d) || !takes(&d, 2, 0) || (programs++ % 12 && !t_all())) continue;
         placed(&d, i);
@@ -700,8 +698,8 @@ static void places_in_spirv(void)
     CHECK(!system(line), "%s", line);
 }
 
-/* examples/tools/glsl/translate.sh: in every language every texture is at its binding, members of blocks have their
-   names, and vertex stages turn y. */
+/* examples/tools/glsl/translate.sh: in every language each texture is at its binding, members of blocks keep their
+   names, and vertex stages flip y. */
 static void translated(void)
 {
     static const struct { const char *ending, *texture, *turned, *has, *tool; } into[] = {
@@ -758,8 +756,8 @@ static void translated(void)
 
 /* ---- >>names ----------------------------------------------------------------------------------------------------- */
 
-/* Whether every name of ours that a text declares is used, where compilers ask for the other way round. What a stage
-   writes for another is used there; a global variable must be read as well. Members of a block may be others'. */
+/* Whether a shader uses every name of ours that it declares; compilers check the reverse. An output of a stage counts
+   as used in the next one; a global variable must be read as well. Members of a block may be unused. */
 static int all_used(const char *text, const char *of)
 {
     enum { KNOWN = 400 };
@@ -786,7 +784,7 @@ static int all_used(const char *text, const char *of)
             if (k == count) known[count++] = (used_name){ word, n, 0, 0 };
             const char *const value = after + (*after == '.' ? 1 + strspn(after + 1, "xyzw") : 0);
             const int global = isalpha((unsigned char)*line), written = !global && !strncmp(value, " = ", 3);
-            /* a type, of what follows */
+            /* a type, which its variable follows */
             const int type = global && *after == ' ' && isalpha((unsigned char)after[1]);
             if (global && !type && !known[k].declared) known[k].declared = 1;
             else known[k].used += !written;
@@ -821,7 +819,7 @@ static void closed(void)
 
 /* ---- >>lint ------------------------------------------------------------------------------------------------------ */
 
-/* The words of tests/reserved.txt, with a blank before and behind each, less those that we use as what they are. */
+/* The words of tests/reserved.txt, each between blanks, without those that the shaders use as GLSL means them. */
 static char reserved_words[1 << 14];
 
 static int reserved_words_read(void)
@@ -838,7 +836,7 @@ static int reserved_words_read(void)
     if (!file) return 0;
     reserved_words[0] = ' ';
     while (fgets(line, sizeof line, file)) {
-        if (*line == '#' || strchr(line, ':')) continue;   /* a paragraph's first line names its language */
+        if (*line == '#' || strchr(line, ':')) continue;   /* the first line of a paragraph names its language */
         for (const char *at = line; (at += strspn(at, " \n")), *at; at += strcspn(at, " \n")) {
             snprintf(word, sizeof word, " %.*s ", (int)strcspn(at, " \n"), at);
             if (!strstr(ours, word) && used + strlen(word) < sizeof reserved_words)
@@ -849,7 +847,7 @@ static int reserved_words_read(void)
     return used > 4000 && used < sizeof reserved_words - 64;
 }
 
-static int reserved(const char *word, size_t n)            /* in any language, and not used by us as what it is */
+static int reserved(const char *word, size_t n)            /* in any language, except for words of ours */
 {
     char key[64];
     if (n > 60) return 1;
@@ -901,7 +899,7 @@ static void lint(void)
 
 #define NAMES(sentence, start) (strncmp(sentence, start, strlen(start)) == 0)
 
-/* How a sentence must begin; NULL: it is none. Those on desc.shader.fetch are of a desc without. */
+/* How a sentence must begin; NULL: the desc is accepted. Sentences on desc.shader.fetch are of a desc without one. */
 static const struct { const char *start, *desc; } rules[] = {
     { "desc.gather.normal_rays:", "hsao,normal_rays=1" },
     { "desc.input.world_normals:", "ssao,normal=from_depth,world_normals=1" },
@@ -962,7 +960,7 @@ static const struct { const char *start, *desc; } rules[] = {
     { NULL, "s3ho,compute=all,packed_coefficients=1,transfer=1,shaded=1,dialect=310es" },
     { "desc.shader.compute: blends", "blur,compute=all,onto=multiply,dialect=450" },
     { "desc.pass:", "surfels,tessellate=1,dialect=vulkan" },
-    /* What is not kept has as many vectors as it likes; what a pass does not look at is no matter. */
+    /* A value that is not kept may have many vectors; a field that a pass does not look at may have any value. */
     { NULL, "s3ho,transfer=1,shaded=1" },
     { NULL, "blur,quantity=light,transfer=1,shading=1,bands=1" },
     { NULL, "dss,tessellate=1,dialect=320es" },
@@ -972,7 +970,7 @@ static const struct { const char *start, *desc; } rules[] = {
     { NULL, "shade,bands=1,packed_coefficients=1,transfer=2" }
 };
 
-/* Each limit and each rule is broken; a preset refuses as the check does. */
+/* Breaks each limit and each rule. A preset refuses a desc as the check does. */
 static void sentences(void)
 {
     char broken[sizeof ssgi_gl__refusals / sizeof *ssgi_gl__refusals] = { 0 };
@@ -986,7 +984,7 @@ static void sentences(void)
         snprintf(start, sizeof start, "desc.%s:", c->field);
         for (int v = 0; v < variants && !taken; ++v) {
             ssgi_gl_desc d = variant[v];
-            if (c->offset == offsetof(ssgi_gl_desc, light.receiver)) d.gather.layers = 8;  /* It is below this. */
+            if (c->offset == offsetof(ssgi_gl_desc, light.receiver)) d.gather.layers = 8;  /* it is below that */
             set(&d, c, c->most);
             taken = ssgi_gl_check(&d, NULL) == SSGI_OK;
         }
@@ -1049,7 +1047,7 @@ static void images_of_gles(void)
     CHECK(most == 4, "the most images are %d", most);
 }
 
-/* A frame's refusals and defaults. */
+/* Refusals and defaults of a frame. */
 static void frames(void)
 {
     static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 },
@@ -1083,7 +1081,7 @@ static void frames(void)
     CHECK(light == 0.0f, "a frame's light is not black");
 }
 
-/* A desc, and its defaults written out, with fields that it does not look at. */
+/* A desc, and the same with its defaults written out and with fields that it does not look at. */
 static void defaults(void)
 {
     static const struct { const char *plain, *more; } rows[] = {
@@ -1144,10 +1142,9 @@ static void defaults(void)
     }
 }
 
-/* ---- >>complete: whoever adds something is told where it is missing ---------------------------------------------- */
+/* ---- >>complete: a part that is missing is named ----------------------------------------------------------------- */
 
-/* Every field of the struct's groups, as the header has it, is in the library's table, and a count's comment tells the
-   limit of that table. */
+/* Every field in the header's structs is in the library's table, and the comment of a count has the table's limit. */
 static void every_field(void)
 {
     char *header, name[64], type[64], group[64] = "", field[160], limit[40], end_ = 0;
@@ -1179,7 +1176,7 @@ static void every_field(void)
     CHECK(found == SSGI_GL__FIELDS, "%d fields in the header, %d in ssgi_gl__fields", found, SSGI_GL__FIELDS);
 }
 
-/* Every line of the library and every row is in a text that is compiled. */
+/* Every line and every row of the library are in a compiled shader. */
 static void every_line(void)
 {
     static char text[SSGI_GL_STAGES * TEXT], line_of[400];
@@ -1216,7 +1213,7 @@ static void every_line(void)
               ssgi_gl__rows[r].io.name, ssgi_gl__rows[r].io.format);
 }
 
-/* The passes of a chain's steps, none of which reads a texture that it writes. */
+/* The passes of a chain's steps. No step reads a texture that it writes. */
 static uint64_t passes_of(const ssgi_gl_chain *chain)
 {
     static ssgi_gl_step step[128];
@@ -1234,8 +1231,8 @@ static uint64_t passes_of(const ssgi_gl_chain *chain)
     return passes;
 }
 
-/* The passes that ssgi_gl_steps draws, of chains that between them ask for everything: each method by its name, and
-   each pass alone, with and without what a chain may add. */
+/* The passes that ssgi_gl_steps draws for chains that together use everything: each method by its name, and each pass
+   alone, with and without each part that a chain may add. */
 static uint64_t drawn_passes(void)
 {
     const ssgi_gl_method *method;

@@ -1,4 +1,4 @@
-/* test_tools.c - what a shell sees of the examples: what programs print and refuse, packages, files of GLSL, make. */
+/* test_tools.c - the examples from a shell: outputs and refusals of programs, packages, files of GLSL, make. */
 #include <float.h>
 #include <math.h>
 #include "kit/kit_gl.h"
@@ -6,13 +6,13 @@
 
 static char said[8000];
 
-/* Runs a shell line in the folder; said is what it prints. $T is the repository, $R its build/render, $G its
+/* Runs a shell line in the folder; said is its output. $T is the repository, $R its build/render, $G its
    build/glsl-text, $C its capture.py. Returns the status. */
 static int run(const char *line) { return shell(said, sizeof said, "%s%s", line, ""); }
 
 static int works(const char *line) { return CHECK(!run(line), "%s: %s", line, said); }
 
-/* Arguments that a program refuses, and a part of the one line that it says then. */
+/* Arguments that a program refuses, and a part of its one line of output. */
 typedef struct refusal { const char *arguments, *word; } refusal;
 
 static void refused(const char *program, const refusal *row, size_t rows)
@@ -27,7 +27,7 @@ static void refused(const char *program, const refusal *row, size_t rows)
 }
 #define REFUSED(program, rows) refused(program, rows, sizeof(rows) / sizeof *(rows))
 
-/* An image as a file of the folder; header: of a frame, or NULL. */
+/* Writes an image into the folder; header: of a frame, or NULL. */
 static void write_image(const char *name, kit_image *image, const kit_header *header)
 {
     char path[256];
@@ -36,7 +36,7 @@ static void write_image(const char *name, kit_image *image, const kit_header *he
     CHECK(!kit_exr_write_frame(image, header, path, &err), "%s", err.text);
 }
 
-/* One of zeros. */
+/* Writes an image of zeros. */
 static void write_zeros(const char *name, int width, int height, const char *channels, const kit_header *header)
 {
     kit_image image;
@@ -54,7 +54,7 @@ static int read_image(kit_image *image, kit_header *header, const char *name)
                  err.text);
 }
 
-/* examples/minimal.c with the header of OSMesa and as it is read without: the same picture, on the CPU. */
+/* examples/minimal.c draws the same picture on the CPU with OSMesa's header and without it. */
 static void minimal(void)
 {
     static const struct { const char *header, *line; } ways[] = {
@@ -81,8 +81,8 @@ static void minimal(void)
     CHECK(ran, "neither OSMesa nor EGL is here");
 }
 
-/* Where there is no OSMesa, which empty files in its place stand for, the default context is EGL's, and draws the same;
-   who asks for it is told. */
+/* Without OSMesa, whose library empty files replace, the default context is EGL's, and draws the same. A call for
+   OSMesa is refused. */
 static void without_osmesa(void)
 {
     static const refusal asked[] = { { "room --size 8x8 --context osmesa --out a.exr", "libOSMesa.so is not there" } };
@@ -96,7 +96,7 @@ static void without_osmesa(void)
     REFUSED("LD_LIBRARY_PATH=lacks $R", asked);
 }
 
-/* A file a room, without C's quotes, whose conditions are in pairs; all main functions are there. */
+/* Each room is a file, without C's quotes, and its conditions are in pairs. All main functions are there. */
 static void rooms_as_files(void)
 {
     works("MAKEFLAGS= make -s -C $T glsl-out DIR=$PWD/glsl && ! grep -n '\"' glsl/*.glsl && cd glsl && "
@@ -105,7 +105,7 @@ static void rooms_as_files(void)
           "test $(cat * | grep -c '^void main()') = $(grep -c '^ *\"void main()' ../ssgi_gl.h)");
 }
 
-/* Every file is a variant's, every variant has its files, members fill their blocks. */
+/* Every file belongs to a variant, every variant has its files, and members fill their blocks. */
 static void manifest(void)
 {
     static const char *const check =
@@ -179,7 +179,7 @@ static void manifest_of_compute(void)
     works("python3 compute.py");
 }
 
-/* A chain as one writes it, and what is wrong with one. */
+/* A chain in a user's words, and mistakes in one. */
 static void own_chain(void)
 {
     static const refusal wrong[] = {
@@ -199,7 +199,7 @@ static void own_chain(void)
     REFUSED("$G --chain", wrong);
 }
 
-/* The headers without a C library, in node: every text and row of the manifest, blocks as C makes them, errors. */
+/* The headers without a C library, in node: every shader and row of the manifest, blocks as in C, errors. */
 static void wasm(void)
 {
     static const char *const blocks =
@@ -243,13 +243,13 @@ static void wasm(void)
         "k.last]),\n"
         "                      said.inputs.map(k => [k.name, k.unit, k.set|0, k.binding, k.yours ?? k.texture, "
         "k.last ?? 0]));\n"
-        "            deepEqual(step.outputs.map(k => [k.texture, k.slice, k.format]), said.outputs.map(k =>\n"
-        "                [k.texture, k.slice, formatOf(m.formats[c.textures[k.texture].format])]));\n"
+        "            deepEqual(step.outputs.map(k => [k.texture, k.layer, k.format]), said.outputs.map(k =>\n"
+        "                [k.texture, k.layer, formatOf(m.formats[c.textures[k.texture].format])]));\n"
         "            deepEqual(step.groups, said.group ? [1, 1] : [0, 0]);\n"
         "            if (said.group) deepEqual(step.outputs.map(k => [k.set, k.binding]),\n"
         "                                      said.outputs.map(k => [k.set, k.binding]));\n"
-        "            deepEqual([step.size, step.frame, step.vertices, step.instances, step.blend[0] !== 0],\n"
-        "                      [said.size, said.frame, said.vertices, said.instances, said.blend !== null]);\n"
+        "            deepEqual([step.scale, step.frame, step.vertices, step.instances, step.blend[0] !== 0],\n"
+        "                      [said.scale, said.frame, said.vertices, said.instances, said.blend !== null]);\n"
         "        }\n"
         "    }\n"
         "    deepEqual(ssgi.members.length, m.frame.members.length + m.views.members.length);\n"
@@ -306,7 +306,7 @@ static void wasm(void)
     works("node wasm.mjs $T/build/wasm $T");
 }
 
-/* What make install and make npm leave serves their tools. */
+/* Other tools can use the packages of make install and make npm. */
 static void packages(void)
 {
     static const char *const program =
@@ -375,7 +375,7 @@ static void packages(void)
                "test $(wc -c <out/used.js) -gt 10000");
 }
 
-/* Readers of C headers in other languages: constants have the fields' type, a call works. */
+/* Readers of C headers in other languages: constants have the fields' type, and a call works. */
 static void bindings(void)
 {
     static const char *const script =
@@ -402,7 +402,7 @@ static void bindings(void)
               "grep -q 'pub pass: ssgi_gl_pass' bind.rs");
 }
 
-/* ssgi_gl_method_at in each language that the headers or the module serve. */
+/* ssgi_gl_method_at in each language that can use the headers or the module. */
 static void methods_anywhere(void)
 {
     static const char *const c =
@@ -441,7 +441,7 @@ static void methods_anywhere(void)
           "cmp c99.txt c++20.txt && python3 methods.py | cmp c99.txt && node methods.mjs $T | cmp c99.txt");
 }
 
-/* One small picture of each method, every object of the kit under address and undefined-behaviour sanitizers. */
+/* One small picture of each method, with the kit under address and undefined-behaviour sanitizers. */
 static void sanitized(void)
 {
     kit_method m;
@@ -454,7 +454,7 @@ static void sanitized(void)
     }
 }
 
-/* What is lost on its way out: status 2, one line. What is odd but readable or writable is read and written. */
+/* Output that cannot be written: status 2, one line. Unusual files that can be read or written are. */
 static void streams(void)
 {
     static const refusal lost[] = {
@@ -474,7 +474,7 @@ static void streams(void)
     works("$R cr.obj --size 8x8 --out cr.exr && test -s cr.exr");
 }
 
-/* Each setting of each method, beyond its limits and as no word of it. */
+/* Each setting of each method, with values beyond its limits and with no word of it. */
 static void settings(void)
 {
     kit_method m;
@@ -497,7 +497,7 @@ static void settings(void)
     CHECK(tried > 1000, "%d settings", tried);
 }
 
-/* Bad command lines and files: status 2, one line that names the argument or file, nothing left behind. */
+/* Bad command lines and files: status 2, one line that names the argument or file, no file left behind. */
 static void command_line(void)
 {
     static const refusal cases[] = {
@@ -623,7 +623,7 @@ static void command_line(void)
     works("$R --sequence own.txt --set history=1 --out o%d.exr && test -s o2.exr");
 }
 
-/* What render says that its picture errs by against another; below 0: it says something else. */
+/* The error of a picture against another, as render prints it; below 0: it prints something else. */
 static double errs_by(const char *arguments, const char *reference)
 {
     char line[700];
@@ -632,7 +632,7 @@ static double errs_by(const char *arguments, const char *reference)
     return CHECK(rmse, "%s: %s", line, said) ? strtod(rmse + 8, NULL) : -1;
 }
 
-/* A floor and a wall, so large, at a place. */
+/* A floor and a wall of this size at a place. */
 static void write_corner(const char *name, double size, double x, double y, double z)
 {
     static const double corner[8][3] = { { -2, 0, 2 }, { 2, 0, 2 }, { 2, 0, -2 }, { -2, 0, -2 },
@@ -645,7 +645,7 @@ static void write_corner(const char *name, double size, double x, double y, doub
     write_text(name, text);
 }
 
-/* A cube of eight smooth normals is convex: nothing occludes its faces. By its own normals something does. */
+/* A cube of eight smooth normals is convex, so nothing occludes its faces. With other normals something does. */
 static void normals_are_told(void)
 {
     static const char cube[] =
@@ -681,8 +681,8 @@ static void draw(const char *arguments, const char *out)
     works(line);
 }
 
-/* A scene's picture, and that of its saved frame by nothing but that: the same up to the rounding of depths, which a
-   few pixels on edges see. Light tells whether the camera looks the same way in the world. */
+/* A scene's picture equals that of its saved frame alone, up to the rounding of depths, which changes a few pixels on
+   edges. Light shows whether the camera looks the same way in the world. */
 static void frames_carry_cameras(void)
 {
     static const char *const scenes[] = {
@@ -753,7 +753,7 @@ static void frames_carry_cameras(void)
     t_note("RMSE %.1e at most from the saved frame", worst);
 }
 
-/* A frame becomes a part of a picture of 192 x 108, down and to the right. */
+/* Makes a frame a part of a picture of 192 x 108, down and to the right. */
 static void make_part(const char *path)
 {
     static const int32_t shown[4] = { -96, -54, 95, 53 };
@@ -766,9 +766,9 @@ static void make_part(const char *path)
     free(bytes);
 }
 
-/* The saved frame as Blender would write it: two view layers, 1e10 where nothing is, normals of the world. It errs by
-   nothing from the frame's own picture; which layer and which channel is meant is asked for by name. A camera that is
-   another one's turns the normals: it is refused, unless they are not read; the horizontal angle is told. */
+/* The saved frame as Blender would write it: two view layers, 1e10 without a surface, normals of the world. Its picture
+   equals the frame's. Layers and channels are chosen by name. Another camera would turn the normals, so it is refused
+   unless they are not read. The horizontal angle is told. */
 static void frames_of_blender(void)
 {
     static const char *const theirs[7] = { "Depth.Z",   "Normal.X",  "Normal.Y", "Normal.Z",
@@ -826,7 +826,7 @@ static void frames_of_blender(void)
           "grep -q 'note: --gbuffer b.exr: its normals agree with --fovy 70.0 better than with 102.4'");
     works("! $R $A --layer A --out q.exr 2>&1 | grep note:");
     REFUSED("$R --gbuffer b.exr --fovy 70 --radius 0.3 --out q.exr", bad);
-    float *const z = kit_image_channel(&own, "Z");         /* of a sky as others have it */
+    float *const z = kit_image_channel(&own, "Z");         /* others store a sky so */
     for (int k = 0; k < 2; ++k) {
         for (size_t i = 0; i < pixels / 2; ++i) z[i] = k ? FLT_MAX : 0;
         write_image(k ? "sky1.exr" : "sky0.exr", &own, NULL);
@@ -843,11 +843,11 @@ static void frames_of_blender(void)
     kit_image_free(&frame);
 }
 
-/* One way in which engines have depth: which layout, OpenGL's clip space or from 0 to 1, y down as in Vulkan, a view
-   space that looks down +z; or of an orthographic camera whose eye stands this much before the frame's. */
+/* One way in which engines store depth: the layout, OpenGL's clip space or 0 to 1, y down as in Vulkan, a view space
+   that looks down +z; or an orthographic camera whose eye stands so far before the frame's. */
 typedef struct way { int layout, gl, down, left, orthographic; float shift; const char *options; float eye; } way;
 
-/* What a depth buffer holds of a frame by that projection. */
+/* The depth buffer of a frame by that projection. */
 static void buffer_of(float *out, const kit_image *frame, const way *w, const float p[16])
 {
     const float *z = kit_image_channel(frame, "Z");
@@ -858,8 +858,7 @@ static void buffer_of(float *out, const kit_image *frame, const way *w, const fl
     }
 }
 
-/* The farthest that a depth is from the frame's and so much more, as a share of it; 1 where only one of them shows
-   something. */
+/* The largest difference of a depth from the frame's plus more, over that; 1 if only one of them shows a surface. */
 static double depths_off(const kit_image *a, const kit_image *b, double more)
 {
     const float *z[2] = { kit_image_channel(a, "Z"), kit_image_channel(b, "Z") };
@@ -870,8 +869,7 @@ static double depths_off(const kit_image *a, const kit_image *b, double more)
     return most;
 }
 
-/* The frame that the script makes has the depths that went into the buffer, and the camera. pictures: 1: of an EXR, 2:
-   of a PNG as well */
+/* The script makes a frame with the buffer's depths and the camera. pictures: 1: from an EXR, 2: from a PNG, too */
 static void capture(const kit_image *frame, kit_camera camera, const way *w, int pictures)
 {
     char line[1000], words[800] = "";
@@ -881,7 +879,7 @@ static void capture(const kit_image *frame, kit_camera camera, const way *w, int
     camera.depth = w->layout;
     for (int i = 0; i < 2; ++i) camera.shift[i] = w->shift * (float)(1 + i);
     if (w->orthographic) { camera.fovy = 0; camera.ortho_height = 4; }
-    /* behind the eye, or far before it, depths begin at the near plane, less a thousandth of the range */
+    /* with an eye elsewhere, depths begin at the near plane, less a thousandth of the range */
     const double range = (double)(camera.zfar - camera.znear),
                  more = w->eye != 0 ? 1e-3 * range - (double)camera.znear : 0;
     camera.znear -= w->eye;
@@ -918,8 +916,7 @@ static void capture(const kit_image *frame, kit_camera camera, const way *w, int
     }
 }
 
-/* View depth and normals as raw floats, the bottom row first, normals in the world: the frame and its camera come
-   back. */
+/* View depth and world normals as raw floats, the bottom row first, come back as the frame and its camera. */
 static void raw_captures(void)
 {
     char path[300], line[300], words[800] = "";
@@ -965,7 +962,7 @@ static void raw_captures(void)
     kit_image_free(&frame);
 }
 
-/* Every layout of depth becomes the same frame; what the script makes is rendered as the scene is. */
+/* Every layout of depth gives the same frame, and the script's frame is rendered as the scene is. */
 static void captures(void)
 {
     static const char by_numbers[] = "--fovy=50 --near=0.1 --far=100 --radius=0.5",
@@ -996,7 +993,7 @@ static void captures(void)
         { "depth.exr a.exr --projection=1,0,0,0,0,1,0,0,0,0,-1,-2,0,0,-1,0", "--projection" },
         { "depth.exr a.exr --projection=1,0,0,0,0,1,0,0,0,0,-1,1,0,0,nan,0", "shows nothing" },
         { "depth.exr nowhere/a.exr --fovy=50 --near=0.1", "nowhere/a.exr" } };
-    /* 16 bits, grey, its rows filtered in every way by turns */
+    /* 16 bits, grey; the rows take turns with all filters */
     static const char png[] =
         "import sys, zlib\nfrom struct import pack\nsys.path.insert(0, sys.argv[1])\nimport pictures\n"
         "wide, high, (depth,) = pictures.exr(open('depth.exr', 'rb').read(), 1, 'R')\n"
@@ -1023,12 +1020,12 @@ static void captures(void)
     if (!works("$R room --size 96x54 --set normal=depth --save-gbuffer f.exr --out ao.exr")
         || !read_image(&frame, &header, "f.exr"))
         return;
-    /* at the origin, looking down -z, as a capture has it */
+    /* at the origin, looking down -z, as in a capture */
     kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 }, .znear = 0.1f, .zfar = 100, .width = 96,
                           .height = 54 };
     header.has = KIT_HEADER_WINDOW;
     kit_camera_from_header(&camera, &header);
-    kit_image_channel(&frame, "Z")[200] = 0;                               /* nothing is there */
+    kit_image_channel(&frame, "Z")[200] = 0;                               /* no surface */
     for (size_t i = 0; i < sizeof ways / sizeof *ways; ++i) capture(&frame, camera, &ways[i], 1 + (i % 4 == 0));
     kit_image_free(&frame);
     setenv("E", endless, 1);
@@ -1044,7 +1041,7 @@ static void captures(void)
     works("ls | diff before - && rm before");
 }
 
-/* JSON is JSON whatever a file's name and a reference hold; words that are a default are shown. */
+/* JSON is valid whatever a file's name and a reference hold. Words that are a default are shown. */
 static void what_is_printed(void)
 {
     kit_image endless;
@@ -1065,18 +1062,22 @@ static void what_is_printed(void)
         works("python3 -c 'import json; json.load(open(\"json.txt\"), parse_constant=exit)'");
     works("test \"$($R --version)\" = 'ssgi 0.5' && for o in --help --list '--list s3ho'; do $R $o | "
           "awk 'length > 100 { exit 1 }' || exit 1; done");
+    works("for p in $T/build/report $T/build/try $T/build/quiet $T/build/reflection $T/build/stability $T/build/bench "
+          "$T/build/fit; do test \"$($p --version)\" = 'ssgi 0.5' && $p --help | "
+          "awk 'length > 100 || (NR == 1 && !/^usage: /) { exit 1 } END { if (NR < 5) exit 1 }' || "
+          "{ echo $p; exit 1; }; done");
     CHECK(works("$R --list s3ho") && strstr(said, "none [joint] apart") && strstr(said, "[linear] square")
               && strstr(said, "4 in 1..4"), "the settings of s3ho: %s", said);
 }
 
 /* ---- >>bench ----------------------------------------------------------------------------------------------------- */
 
-/* Lines of bench.csv, of a picture that the room fills: a frame's milliseconds and bytes are its passes', its traffic
-   takes the time that copied, bytes a second, say. */
+/* Rows of bench.csv, for a picture that the room fills: a frame's milliseconds and bytes are the sums of its passes',
+   and its traffic takes bytes / copied seconds. */
 static void bench_rows(const char *csv, double copied)
 {
     static const char *const passes[] = { "frame", "thickness", "hsao", "blur" };
-    double v[4][6], sum = 0; /* how often, milliseconds, their quartiles, bytes, milliseconds of traffic */
+    double v[4][6], sum = 0; /* count, milliseconds, quartiles, bytes, milliseconds of traffic */
     for (int i = 0; i < 4; ++i) {
         char begins[80];
         snprintf(begins, sizeof begins, "\nhsao-best,\"\",64,36,%s,", passes[i]);
@@ -1092,11 +1093,11 @@ static void bench_rows(const char *csv, double copied)
         sum += i ? v[i][4] : 0;
     }
     CHECK(fabs(sum / v[0][4] - 1) < 1e-4, "passes move %g bytes, the frame %g", sum, v[0][4]);
-    /* 16 of a normal and 8 written a pixel, 16 of widths at half size */
+    /* a pixel: 16 of a normal and 8 written, and 16 of thickness at half resolution */
     CHECK(fabs(v[2][4] - (24 * 64 * 36 + 16 * 32 * 18)) < 1, "hsao moves %g bytes", v[2][4]);
 }
 
-/* Of the table that fit prints the lines that another has otherwise: that of choice 3, in its second cost. */
+/* Of the table, fit prints the lines that changed: here that of choice 3, in its second cost. */
 static void bench_fits(const char *plan)
 {
     char was[300], is[300];
@@ -1150,19 +1151,19 @@ static void bench(void)
 
 /* ---- >>make ------------------------------------------------------------------------------------------------------ */
 
-/* How many objects of build/render and of both programs of tests make would compile in the copy. */
+/* How many objects of build/render and of both test programs make would compile in the copy. */
 static int compiled_again(void)
 {
     return works("MAKEFLAGS= make -n -C tree build/render build/test build/test-examples >made.txt && "
                  "grep -c ' -c .* -o build/.*[.]o$' made.txt || test $? = 1") ? atoi(said) : -1;
 }
 
-/* In a copy of the tree by links, built as far as the tree is. */
+/* In a copy of the tree, made of links and built as far as the tree is. */
 static void edits(void)
 {
     static const struct { const char *edit; int least, most; } cases[] = {
         { "$s/$/ /", 2, 8 },                               /* behind the declarations: library_gl.o, tests/own.h */
-        { "s/END OF HEADER/& /", 40, 400 } };              /* among them: all that include kit_gl.h */
+        { "s/END OF HEADER/& /", 40, 400 } };              /* in the declarations: all that include kit_gl.h */
     char line[300];
     works("mkdir -p tree/build && cp -rs $T/Makefile $T/*.h $T/examples $T/tests tree && cd $T/build && "
           "cp -rs $PWD/kit $PWD/examples $PWD/tests $PWD/include $PWD/assimp \"$OLDPWD/tree/build\"");
@@ -1178,7 +1179,7 @@ static void edits(void)
     }
 }
 
-/* Whatever the folder and the environment. */
+/* The tests run from any folder and environment. */
 static void anywhere(void)
 {
     works("cd / && env -i $T/build/test library | grep -q ' passed, 0 failed'");

@@ -1,4 +1,4 @@
-/* test_trace.c - the tracer against brute force, the ray-traced truth and its floor against closed forms. */
+/* test_trace.c - the tracer against brute force; the ray-traced truth and its floor against closed forms. */
 #include "t.h"
 #include "frames.h"
 #include "kit/kit_build.h"
@@ -23,7 +23,7 @@ static int build(ssgi_trace *trace, void **memory, const float *position, size_t
     return ok;
 }
 
-/* Distance to triangle c in double, or -1; wide: how far beyond an edge, in barycentric weight, still counts. */
+/* The distance to triangle c in double, or -1. wide: how far beyond an edge, in barycentric weight, is still a hit. */
 static double brute(const float *c, const float o[3], const float d[3], double wide)
 {
     double e[3], f[3], s[3], p[3], q[3], largest = 0;
@@ -65,11 +65,11 @@ static void against_brute_force(void)
                 soup[t][3 * k + i] = (k ? soup[t][i] : t_uniform(-1, 1)) + (k ? t_uniform(-size, size) : 0);
         if (t % 50 == 1) soup[t][t % 9] = NAN;
         if (t % 50 == 2) soup[t][t % 9] = t & 1 ? INFINITY : -2e12f;
-        /* two corners the same */
+        /* two equal corners */
         if (t % 50 == 3) memcpy(&soup[t][3], soup[t], 3 * sizeof(float));
         if (t % 50 == 4) for (int i = 0; i < 3; ++i) soup[t][6 + i] = soup[t][i];
-        if (t % 50 == 5) memcpy(soup[t], soup[t - 5], sizeof soup[t]);                          /* the same again */
-        /* huge, below the rest */
+        if (t % 50 == 5) memcpy(soup[t], soup[t - 5], sizeof soup[t]);                          /* an equal triangle */
+        /* huge, below the others */
         if (t % 50 == 6) for (int i = 0; i < 9; ++i) soup[t][i] = i % 3 == 1 ? -1.5f : t_uniform(-100, 100) * 1e6f;
     }
     if (!build(&trace, &memory, soup[0], SOUP)) return;
@@ -116,8 +116,8 @@ static void against_brute_force(void)
     free(memory);
 }
 
-/* Nested shells shrink by a factor each: area would peel them off one by one. Then thousands that nothing can tell
-   apart. */
+/* Nested shells, each smaller by a factor, which a split by area would peel off singly. Then thousands of equal
+   ones. */
 static void deep_trees(void)
 {
     enum { SHELLS = 6000, SAME = 20000 };
@@ -151,7 +151,7 @@ static void deep_trees(void)
     free(soup);
 }
 
-/* A sphere of radius 1 that swells and shrinks from place to place. */
+/* A sphere of radius 1 with bumps and dents. */
 static void lumpy(const void *shape, double u, double v, kit_vertex *out)
 {
     kit_sphere_surface(shape, u, v, out);
@@ -206,7 +206,7 @@ static void bad_arguments(void)
     REFUSED("size", SSGI_TOO_SMALL, &o.trace, o.memory, size - 1, p, 12, NULL, 1);
 #undef REFUSED
     CHECK(ssgi_trace_size(0) == 0 && ssgi_trace_size((size_t)-1) == 0, "sizes that cannot be have a size");
-    /* the size named suffices: nothing is written beyond it, of even rows, whose nodes are full (512), and of others */
+    /* the stated size suffices: nothing is written beyond it, for rows with full nodes (512) and for others */
     for (size_t n = 1; n <= 512; ++n) {
         static float soup[512][9];
         for (size_t t = 0; t < n; ++t)
@@ -224,8 +224,8 @@ static void bad_arguments(void)
 
 /* ---- ssgi_trace_visibility ------------------------------------------------------------------------------------- */
 
-/* Points on a floor at y = 0, between x = 0 and 1, by closed forms: beside a wall without end, attenuated and not; a
-   wall of the height 1; a groove of the width 1 and depth 1. The sheets are so long that their ends do not count. */
+/* Closed forms for points on a floor at y = 0, x from 0 to 1: beside an endless wall, attenuated and not; a wall of
+   height 1; a groove of width 1 and depth 1. The sheets are so long that their ends do not count. */
 static double closed_form(int shape, double x)
 {
     const double wall = (1 - x / sqrt(x * x + 1)) / 2;
@@ -245,7 +245,7 @@ static void visibility(void)
     enum { POINTS = 400, SHAPES = 4 };
     static float position[3 * POINTS], normal[3 * POINTS], out[POINTS], other[POINTS];
     for (int shape = 0; shape < SHAPES; ++shape) {
-        /* of 256 and 1024 rays; by chance alone a hard wall would err by 0.03 and 0.015 */
+        /* by 256 and 1024 rays; random rays would have an error of 0.03 and 0.015 at a hard wall */
         static const double rms[SHAPES][2] = { { 7e-4, 2e-4 }, { 5e-3, 1.7e-3 }, { 6e-3, 2.2e-3 }, { 8e-3, 3.3e-3 } };
         kit_build b = { .turn = 0 };
         ssgi_trace trace;
@@ -276,7 +276,7 @@ static void visibility(void)
                   "shape %d, %d rays: RMS %.5f, worst %.4f, mean %.5f", shape, 256 << 2 * r, sqrt(square), worst, sum);
             t_note("shape %d, %d rays: RMS %.5f, worst %.4f, mean %.5f", shape, 256 << 2 * r, sqrt(square), worst, sum);
         }
-        /* a part of the points, and turned about, is the same */
+        /* a part of the points in reverse order has the same values */
         for (int i = POINTS / 2; i < POINTS; ++i)
             memcpy(position + 3 * i, position + 3 * (POINTS - 1 - i), 3 * sizeof(float));
         ssgi_trace_visibility(other, &trace, position + 3 * POINTS / 2, normal, POINTS / 2, shape < 2 ? 1.0f : 0.0f,
@@ -305,7 +305,7 @@ static void own_visibility(void)
     for (size_t i = 0; i < 3 * corners; ++i) m->normal[i] = -m->normal[i];
     ssgi_trace_visibility(out, &trace, m->position, m->normal, corners, 0, 64, 1, NULL);
     for (size_t i = 0; i < corners; ++i) most = fmax(most, (double)out[i]);
-    /* middles of its faces, which rounding puts to either side of them */
+    /* middles of its faces, which rounding puts on either side */
     for (size_t t = 0; t < m->triangles; ++t) {
         const float *c = m->position + 9 * t;
         for (size_t i = 0; i < 3; ++i) {
@@ -342,7 +342,7 @@ static void own_visibility(void)
 
 /* ---- truth and floor ------------------------------------------------------------------------------------------- */
 
-/* expected < 0: not counted */
+/* expected < 0: the pixel does not count */
 static void compare(const char *name, const kit_image *y, const double *expected, double rmse, double most)
 {
     double sum = 0, worst = 0;
@@ -383,7 +383,7 @@ static kit_scene built(int what)
     return b.scene;
 }
 
-/* which plane of the corner a ray meets first: 1 floor, 2 wall, 0 none; at: how far it is from the other */
+/* The plane of the corner that a ray meets first: 1 floor, 2 wall, 0 none; at: the distance from the other plane */
 static int corner_hit(const float o[3], const float d[3], double *at)
 {
     const double down = d[1] < 0 ? (double)-o[1] / (double)d[1] : 1e30,
@@ -393,7 +393,7 @@ static int corner_hit(const float o[3], const float d[3], double *at)
     return t > 40 ? 0 : 1 + across;
 }
 
-/* Visibility of what a ray from a pixel meets; below 0: no closed form. */
+/* The visibility of the place that a pixel's ray meets; below 0: it has no closed form. */
 static double expected_of(int what, const float o[3], const float d[3], int hard)
 {
     double c = 1, u[2];
@@ -406,7 +406,8 @@ static double expected_of(int what, const float o[3], const float d[3], int hard
 
 static void closed_forms(void)
 {
-    /* from: the last two of linear and hard, each in perspective and orthographic, have a closed form */
+    /* from: the first with a closed form of linear in perspective, linear orthographic, hard in perspective, hard
+       orthographic */
     static const struct { const char *name; kit_camera camera; float radius; int rays, from; double rmse, most;
     } row[] = {
         { "a bare plane", { .eye = { 104.0548f, 199.2587f, -48.17f }, .target = { 104.4f, 199.45f, -47.8f },
@@ -449,8 +450,8 @@ static void closed_forms(void)
     }
 }
 
-/* Irradiance over pi (green) on the corner's floor or wall, at a distance from the other: every direction of a grid of
-   four cells a texel, dimmed by the other plane within radius 1. */
+/* Irradiance over pi (green) on the corner's floor or wall at a distance from the other: a sum over a grid of four
+   cells a texel, dimmed by the other plane within radius 1. */
 static double corner_light(const kit_image *env, int floor_, double distance)
 {
     double sum = 0;
@@ -469,7 +470,7 @@ static double corner_light(const kit_image *env, int floor_, double distance)
     return sum / acos(-1);
 }
 
-/* street: lamps, a ray each; windows: none are that bright. bounce 1: all by chance alone. */
+/* street: lamps, each with a ray; windows: none as bright. bounce 1: all rays are random. */
 static void lit_corner(void)
 {
     static const struct { const char *env; int rays, bounce; double noise;
@@ -510,9 +511,9 @@ static void lit_corner(void)
     kit_mesh_free(&scene.mesh);
 }
 
-/* Within a ball a chord is 2 r cos long, by its angle to the normal, and the next one does not depend on it. With
-   linear attenuation visibility is 4 r / (3 R), reflections are a geometric series, and a narrow lobe sees hardly more
-   than the chord that mirrors the view. */
+/* In a ball a chord is 2 r cos long, by its angle to the normal, and the next chord does not depend on it. With linear
+   attenuation visibility is 4 r / (3 R), reflections are a geometric series, and a narrow lobe sees hardly more than
+   the chord of the mirrored view. */
 static void inside_a_ball(void)
 {
     enum { SIZE = 8 };
@@ -547,8 +548,8 @@ static void inside_a_ball(void)
     kit_mesh_free(&b.scene.mesh);
 }
 
-/* Planes through (0, 0, -8) that face the viewer by an angle; a square before one is too far from it to be joined, or
-   to occlude it. What occludes must be in view, a radius around. */
+/* Planes through (0, 0, -8), at an angle to the viewer. A square in front of one is too far away to be joined to it or
+   to occlude it. Occluders must be in view, a radius around. */
 static void floors(void)
 {
     enum { W = 96, H = 72 };

@@ -1,6 +1,6 @@
-/* test_twins.c - functions of the emitted GLSL against the same in C, drawn by the CPU; and what C writes for GLSL to
-   read: extra cameras, those of shadow maps, the light of a frame; and what a weight or a limit that no formula gives
-   does in GLSL, by cases worked out by hand. */
+/* test_twins.c - functions of the emitted GLSL, drawn by the CPU, against the same in C; data that C writes for GLSL:
+   extra cameras, those of shadow maps, a frame's light; and weights and limits of the GLSL without a formula, by cases
+   worked out by hand. */
 #include "own.h"
 #include "frames.h"
 #include "kit/kit_gl.h"
@@ -14,13 +14,13 @@ enum { TEXT = 1 << 16, SIDE = 64, MANY = SIDE * SIDE, CENTRE = SIDE / 2 * SIDE +
 static const double pi = 3.14159265358979;
 static const float still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
 
-/* The camera that is looked at. */
+/* The camera of a probe. */
 static ssgi_view view;
 
 /* ---- >>cameras: extra ones and those of shadow maps -------------------------------------------------------------- */
 
-/* The rotation that takes +z an angle from it, between two about z: quaternion of sin(angle/2) at one azimuth,
-   cos(angle/2) at another. */
+/* A rotation that takes +z to a direction at an angle from it, between two rotations about z: the quaternion of
+   sin(angle/2) at one azimuth and cos(angle/2) at another. */
 static void rotation(float m[16], double angle, double a, double b)
 {
     const double x = sin(angle / 2) * cos(a), y = sin(angle / 2) * sin(a), z = cos(angle / 2) * sin(b),
@@ -32,14 +32,14 @@ static void rotation(float m[16], double angle, double a, double b)
     for (int i = 0; i < 16; ++i) m[i] = (float)turn[i];
 }
 
-/* Any rigid matrix. */
+/* A random rigid matrix. */
 static void rigid(float m[16])
 {
     rotation(m, (double)t_uniform(0, 3.14f), (double)t_uniform(0, 6.28f), (double)t_uniform(0, 6.28f));
     for (int k = 0; k < 3; ++k) m[12 + k] = t_uniform(-9, 9);
 }
 
-/* Row r of a matrix times a point; lost: what may be lost of it, as rigid matrices of floats are not quite. */
+/* Row r of a matrix times a point. lost: the error that is allowed, as a rigid matrix of floats is not quite rigid. */
 static double product_of(const float m[16], int r, const double p[4], double *lost)
 {
     double sum = 0;
@@ -51,8 +51,8 @@ static double product_of(const float m[16], int r, const double p[4], double *lo
     return sum;
 }
 
-/* An off-centre camera of 640 x 480; its projection may be anything that a view decodes. starts: the view depth of an
-   orthographic near plane, which may lie behind the eye. */
+/* An off-centre camera of 640 x 480 with any projection that a view decodes. starts: the view depth of an orthographic
+   near plane, which may be behind the eye. */
 static int any_view(int ortho, float starts)
 {
     const float x = t_uniform(-0.3f, 0.3f), y = t_uniform(-0.3f, 0.3f), wide = t_uniform(0.5f, 3),
@@ -94,12 +94,12 @@ static void cameras(void)
                        && ssgi_gl_light_map(&light, &view, 7, 9, picture, other, &why) == SSGI_OK,
                    "%s", why))
             return;
-        /* p is in the other camera's space: to the world, then to the picture's */
+        /* from the other camera's space to the world, and to the picture's camera */
         for (int k = 0; k < 3; ++k)
             for (int c = 0; c < 3; ++c) at[k] += (double)other[4 * k + c] * (p[c] - (double)other[12 + c]);
         for (int k = 0; k < 3; ++k) q[k] = product_of(picture, k, at, &lost);
         ssgi_view_project(seen, &view, spot);
-        /* behind the eye the shaders' space begins a pixel's width in front of the near plane */
+        /* with a near plane behind the eye, the shaders' space begins a pixel's width in front of that plane */
         const double begins = starts < 0 ? (double)starts - (double)ssgi_pixel_footprint(&view, 1) : 0;
         for (int k = 0; k < 3; ++k) at[k] = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]) - (k == 2 ? begins : 0);
         for (int k = 0; k < 6; ++k) {                      /* there, and back */
@@ -156,7 +156,7 @@ static void frame_light(void)
     }
 }
 
-/* The largest gap between neighbouring phases of so many frames in a row, round the circle. */
+/* The largest gap on the circle between neighbouring phases of so many successive frames. */
 static double largest_gap(uint32_t from, uint32_t frames)
 {
     double most = 0;
@@ -171,9 +171,9 @@ static double largest_gap(uint32_t from, uint32_t frames)
     return most;
 }
 
-/* Four frames halve the circle and then its halves, and the next four go on by a quarter of 1 + the golden ratio's
-   fraction g. In each quarter they are multiples of g then, whose largest gap is a power of g where a Fibonacci number
-   of them stands there; frames that begin amid four have three more at their ends. */
+/* Each four frames halve the circle and then its halves; the next four are ahead by a quarter of 1 + the golden ratio's
+   fraction g. So each quarter has multiples of g, whose largest gap is a power of g for a Fibonacci number of them.
+   Frames that do not begin at a multiple of four need three more. */
 static void phases_spread(void)
 {
     enum { FRAMES = 1024, POWERS = 7 };
@@ -197,10 +197,9 @@ static void phases_spread(void)
 /* ---- >>probes: statements in a pass's text, and passes ----------------------------------------------------------- */
 
 static float in[MANY][4], out[MANY][4], map[MANY][4];
-static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the same, flat */
+static float *const ins = &in[0][0], *const outs = &out[0][0];    /* in and out as arrays of floats */
 
-/* What probes see beyond in and map: extra cameras; for the next one alone slices of an array, and what pass thickness
-   wrote. */
+/* Inputs of probes besides in and map: extra cameras; for the next probe only, layers of an array, pass thickness. */
 static ssgi_gl_views probed;
 static struct { const void *texels; int count; GLenum format; } probed_layers;
 static const uint32_t (*probed_width)[4];
@@ -221,7 +220,7 @@ static GLuint texture_of(int width, int height, int layers, GLenum format, const
     return layers ? kit_texture_array(width, height, layers, format, data) : kit_texture(width, height, format, data);
 }
 
-/* A desc of a pass, in words as behind a method's name: "samples=2,depth=linear". */
+/* A desc of a pass, with fields in words, as behind a method's name: "samples=2,depth=linear". */
 static ssgi_gl_desc desc_of(const char *pass, const char *words)
 {
     ssgi_gl_chain c;
@@ -235,7 +234,7 @@ static ssgi_gl_desc desc_of(const char *pass, const char *words)
     return c.desc;
 }
 
-/* The same, whose surfaces face the viewer. */
+/* The same, with surfaces that face the viewer. */
 static ssgi_gl_desc facing_of(const char *pass, const char *words)
 {
     ssgi_gl_desc d = desc_of(pass, words);
@@ -246,7 +245,7 @@ static ssgi_gl_desc facing_of(const char *pass, const char *words)
     return d;
 }
 
-/* One output of a program alone, into floats. It binds what it made; textures are bound before. */
+/* Draws a program's output number output as floats. The caller binds the textures; this binds the blocks. */
 static int draw(float *result, GLuint program, int output, int components, int width, int height,
                 const ssgi_gl_frame *frame)
 {
@@ -276,8 +275,8 @@ static int draw(float *result, GLuint program, int output, int components, int w
     return CHECK(!read, "what is drawn cannot be read");
 }
 
-/* A text up to its main or its varyings, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's
-   four of the input, a: its own; Y(k): the same of map, which all textures of the text read too if it is `mapped`. */
+/* Replaces the main function of a shader by statements that make o from in, and draws it to out. X(k): texel k of the
+   pixel's four of in, a: its own; Y(k): the same of map, which also is every texture of the shader if `mapped`. */
 static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, int mapped, const char *statements)
 {
     static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
@@ -331,7 +330,7 @@ static int probe_stage(const ssgi_gl_desc *d, int stage, const ssgi_gl_frame *fr
            && probe_text(text, d->shader.dialect, frame, mapped, statements);
 }
 
-/* The fragment stage, which reads map; which does not. */
+/* Probes the fragment stage, with map; probe: without it. */
 static int probe_map(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, const char *statements)
 {
     return probe_stage(d, SSGI_GL_STAGE_FRAGMENT, frame, 1, statements);
@@ -342,10 +341,10 @@ static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, const char *
     return probe_stage(d, SSGI_GL_STAGE_FRAGMENT, frame, 0, statements);
 }
 
-/* A texture of a pass: its floats, or bits of its integers; layers 0: it is no array. */
+/* A texture for a pass: floats, or bits of integers; layers 0: no array. */
 typedef struct given { const char *name; GLenum format; int width, height, layers; const void *texels; } given;
 
-/* One of a pass's outputs alone, into floats. */
+/* Draws a pass, and reads one of its outputs as floats. */
 static int pass_drawn(float *result, int output, int components, int width, int height, const ssgi_gl_desc *d,
                       const ssgi_gl_frame *frame, const given *textures, int count)
 {
@@ -372,7 +371,7 @@ static int pass_drawn(float *result, int output, int components, int width, int 
                          count);
 }
 
-/* Makes it the camera of a probe; its frame. */
+/* Sets the camera of probes, and returns its frame. */
 static ssgi_gl_frame seen_by(const float m[16], int clip, int width, int height, float radius)
 {
     const char *why = "";
@@ -391,7 +390,7 @@ static ssgi_gl_frame facing(float radius)
     return seen_by(m, SSGI_CLIP_GL, SIDE, SIDE, radius);
 }
 
-/* Off-centre and upside down, perspective and not, 640 x 480. */
+/* Off-centre and upside down, perspective or orthographic, 640 x 480. */
 static ssgi_gl_frame off_centre(int ortho)
 {
     static const float m[2][16] = { { 1, 0, 0, 0, 0, -1.5f, 0, 0, 0.1f, 0.2f, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
@@ -431,7 +430,7 @@ static void twin_views(void)
         if (!probe(&d, &frame, "o = vec4(ssgi_window_depth(a.x), ssgi_position(a.yz, a.w));")) break;
         for (int i = 0; i < MANY; ++i) {
             const double depth = (double)ssgi_view_depth(&view, in[i][0]), scale = ortho ? 1 : (double)in[i][3];
-            /* a rounding of the sum's terms */
+            /* the rounding of the sum's terms */
             const double lost = 1.2e-7 * (fabs((double)view.depth[0]) + fabs((double)view.depth[1]));
             float p[3];
             ssgi_view_position(p, &view, in[i][1], in[i][2], in[i][3]);
@@ -503,7 +502,7 @@ static void twin_normals(void)
         for (int i = 0; i < MANY; ++i) {
             float *n = in[i], *e = map[i];
             direction(n);
-            for (int j = 0; j < 3 && i < 6; ++j) n[j] = (float)((i == 2 * j) - (i == 2 * j + 1));   /* the axes too */
+            for (int j = 0; j < 3 && i < 6; ++j) n[j] = (float)((i == 2 * j) - (i == 2 * j + 1));   /* the axes, too */
             memcpy(e, n, 3 * sizeof *n);
             if (d.input.normal == SSGI_GL_NORMAL_UNSIGNED) for (int j = 0; j < 3; ++j) e[j] = n[j] * 0.5f + 0.5f;
             if (d.input.normal == SSGI_GL_NORMAL_OCTAHEDRAL) ssgi_octahedral_encode(e, n);
@@ -518,7 +517,7 @@ static void twin_normals(void)
     }
 }
 
-/* What one statement makes of in is what the next one gets. */
+/* Probes two statements; the result of the first is the input of the second. */
 static int probe_both(const char *pack, const char *read)
 {
     const ssgi_gl_desc packs = desc_of("emitters", ""), reads = desc_of("ssdo", "search=points,bounce=patch");
@@ -528,7 +527,7 @@ static int probe_both(const char *pack, const char *read)
     return probe(&reads, &frame, read);
 }
 
-/* As its format says: 9 9 9 bits and an exponent of 5; 6 bits of exponent and 14; two of 6. */
+/* Errors follow the format: 9 9 9 bits and an exponent of 5; 6 bits of exponent and 14; two of 6. */
 static void twin_emitters(void)
 {
     static float rgbz[MANY][4], way[MANY][4];
@@ -539,7 +538,7 @@ static void twin_emitters(void)
         for (int c = 0; c < 3; ++c) rgbz[i][c] = i % 8 == c ? 0 : bright * t_uniform(0, 1);
         direction(way[i]);
         for (int c = 0; c < 3 && i < 6; ++c) way[i][c] = i / 2 == c ? i & 1 ? -1.0f : 1.0f : 0.0f;
-        /* where rounding needs the next exponent */
+        /* here rounding needs the next exponent */
         if (i % 64 == 9) rgbz[i][i / 64 % 3] = ldexpf(511.0f + (float)(i / 192) / 21, i / 64 % 24 - 10);
         rgbz[i][3] = powf(10, t_uniform(-6, 13));
     }
@@ -577,7 +576,7 @@ static void twin_emitters(void)
     t_note("an emitter's normal is off by %.2f degrees at most", worst);
 }
 
-/* The point that an extra camera shows: the third of them, so that the block's strides matter. */
+/* The point that an extra camera shows. It is the third camera, so that the block's strides matter. */
 static void twin_views_of_others(void)
 {
     const ssgi_gl_desc d = desc_of("ssao", "fade=1,views=3");
@@ -607,7 +606,7 @@ static void twin_views_of_others(void)
     }
 }
 
-/* What ssgi_gl_sh writes, in both languages: a case is four pixels, one a word of the result. */
+/* The functions of ssgi_gl_sh in both languages. A case is four pixels, one for each word of the result. */
 static void twin_harmonics(void)
 {
     enum { BASIS, ZONAL, TURN, SUMS, FUNCTIONS };
@@ -619,7 +618,7 @@ static void twin_harmonics(void)
     static const char *const calls[] = { "s = ssgi_sh_basis(Y(2).xyz);", "s = ssgi_sh_zonal(X(0), Y(2).xyz);",
                                          "ssgi_sh_turn(s, mat3(Y(0).xyz, Y(1).xyz, Y(2).xyz));",
                                          "float both = ssgi_sh_dot(s, y); ssgi_sh_add(s, y, 0.5); s.word0.x = both;" };
-    static const double tilts[8] = { 1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 5e-7, 1e-7, 0 };   /* of the axis from either pole */
+    static const double tilts[8] = { 1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 5e-7, 1e-7, 0 };   /* of the axis from a pole */
     static char text[TEXT], body[600];
     static float others[4 * MANY];
     const ssgi_gl_frame frame = { .radius = 1 };
@@ -631,12 +630,12 @@ static void twin_harmonics(void)
             ins[i] = i % 16 < bands * bands || what == ZONAL ? t_uniform(-1, 1) : 0;
             others[i] = ins[i] * t_uniform(-1, 1);
         }
-        /* rotations: none, half turns, the axis at a pole and near it, any */
+        /* rotations: none, half turns, the axis at a pole and near it, random ones */
         for (int i = 0; i < MANY / 4 && what < SUMS; ++i) {
             const double tilt = tilts[i / 2 % 8], a = (double)t_uniform(0, 6.28f), b = (double)t_uniform(0, 6.28f);
             if (i < 4) rotation(&others[16 * i], i < 2 ? pi : 0, i & 1 ? pi / 2 : 0, i & 1 ? pi / 2 : 0);
             else rotation(&others[16 * i], i & 16 ? (double)t_uniform(0, 3.14159f) : i & 1 ? tilt : pi - tilt, a, b);
-            /* as a product of matrices is rounded */
+            /* rounded as a product of matrices is */
             for (int j = 0; j < 11 && i & 32; ++j) others[16 * i + j] += t_uniform(-1.2e-7f, 1.2e-7f);
         }
         size_t n = (size_t)snprintf(text, sizeof text, "%s", heads[es]);
@@ -672,7 +671,7 @@ static void twin_harmonics(void)
            worst[SUMS]);
 }
 
-/* A half's bits: to nearest, to even between two; and its value. */
+/* The bits of a half, rounded to the nearest one, or to the even one of two; value_of: the value of such bits. */
 static int half_of(float x)
 {
     const double y = fmin(fabs((double)x), 65504);
@@ -686,8 +685,7 @@ static double value_of(int half)
     return ldexp(e ? m + 1024 : m, (e ? e : 1) - 25) * (half & 0x8000 ? -1 : 1);
 }
 
-/* Every half is read as it is, and floats are rounded to it, in languages that have halves and by our own code in those
-   that have not. */
+/* Every half is read exactly, and floats are rounded to halves, in languages that have halves and in the others. */
 static void twin_halves(void)
 {
     static const char *const dialects[] = { "330", "410", "450", "300es" };
@@ -710,7 +708,7 @@ static void twin_halves(void)
                 if (((first + i) & 0x7c00) != 0x7c00) NEAR(outs[i], value_of(first + i), 0, "ssgi_unpack_half");
         }
         t_seed(14);
-        /* halves, what lies between two and beside that, anything, the odd ones */
+        /* halves, the middle between two and its neighbours, random numbers, odd ones */
         for (int i = 0; i < 4 * MANY; ++i) {
             const int h = (int)t_uniform(0, 0x7bff);
             const float middle = (float)(0.5 * (value_of(h) + value_of(h + 1)));
@@ -727,15 +725,15 @@ static void twin_halves(void)
     }
 }
 
-/* ---- >>terms: functions of numbers, a row each, GLSL beside what its comment says -------------------------------- */
+/* ---- >>terms: functions of numbers, a row each, GLSL against the formula of its comment -------------------------- */
 
-/* What the numbers of a row are, and what is wanted of them. */
+/* The inputs of a row, and the wanted result. */
 typedef enum numbers {
     AMBIENT, SECOND_LAYER, WAY, WIDTH, SHORT_WIDTH, SHORT, LIT, GLOSS, ARC, SECTORS, SLAB, KERNEL, OCTAHEDRAL, DISC
 } numbers;
 
-/* From a, in [low,high] or as give has it, the statement makes o; want makes three of it of the same numbers. A pass
-   "reflection" is the text of ssgi_gl_reflection. by: of want. */
+/* The statement makes o of inputs a, which are in [low,high] or set by numbers_of; want makes three results in C. Pass
+   "reflection" stands for the shader of ssgi_gl_reflection. by: a parameter of want. */
 typedef struct term {
     const char *name, *pass, *words, *statement;
     float low, high;
@@ -744,7 +742,7 @@ typedef struct term {
     double within;
 } term;
 
-/* The integral that the comment of ssgi_arc_slope names, by Simpson's rule. */
+/* The integral in the comment of ssgi_arc_slope, by Simpson's rule. */
 static double arc(double top, double g)
 {
     enum { PARTS = 128 };
@@ -758,12 +756,12 @@ static void give(float *a, const term *t, int i)
 {
     for (int c = 0; c < 4; ++c) a[c] = t->what == OCTAHEDRAL && i < 6 ? (float)((i == 2 * c) - (i == 2 * c + 1))
                                                                       : t_uniform(t->low, t->high);
-    /* height over the tangent plane and distance along it, down to the plane, up to the normal; the slice's angle */
+    /* height over the tangent plane and distance along it, down to the plane and up to the normal; the slice's angle */
     if (t->what == ARC) {
         a[i & 1] = i % 32 == 16 * (i / 16 & 1) ? 0 : powf(10, t_uniform(-12, 0));
         a[!(i & 1)] = 1;
     }
-    /* view depth; the back's: a sheet's to a half's rounding, a slab's, none; the gap */
+    /* view depth; depth of the back: of a sheet within a half's rounding, of a slab, none; the gap */
     if (t->what == SLAB) {
         const float z = powf(10, t_uniform(-1, 2));
         const float backs[4] = { z * (1 + t_uniform(0, 0.00048f)), z + t_uniform(0.0006f * z, 0.0006f * z + 1),
@@ -773,7 +771,7 @@ static void give(float *a, const term *t, int i)
         a[2] = t_uniform(0, 0.2f);
     }
     if (t->what == KERNEL) a[0] = (float)((i + i / SIDE) % 64);
-    /* the distance of a disc straight ahead, its radius squared */
+    /* the distance of a disc straight ahead, and its radius squared */
     if (t->what == DISC) {
         a[0] = t_uniform(0.1f, 2);
         a[1] = powf(10, t_uniform(-2, 1));
@@ -790,7 +788,7 @@ static void want(double *o, const term *t, const double *a, int i)
     case AMBIENT: o[0] = o[1] = o[2] = fmin(fmax(a[0] * 1.1283791671, 0), 1); break;
     case SECOND_LAYER: o[0] = o[1] = o[2] = 2; break;
     case WAY: for (int k = 0; k < 3; ++k) o[k] = a[3] - a[k]; break;
-    case WIDTH: for (int k = 0; k < 3; ++k) o[k] = a[k] / 63; break;             /* of the radius, which is 1 */
+    case WIDTH: for (int k = 0; k < 3; ++k) o[k] = a[k] / 63; break;             /* in radii, as the radius is 1 */
     case SHORT_WIDTH:                                                            /* at most twice a segment's length */
         for (int k = 0; k < 3; ++k) o[k] = fmin(a[k] / 63, 2 * a[3] / 63);
         break;
@@ -799,7 +797,7 @@ static void want(double *o, const term *t, const double *a, int i)
     case GLOSS:
         o[0] = o[1] = o[2] = (double)ssgi_specular_visibility(f[0], 2 * f[1] - 1, 2 * f[2] - 1, f[3]);
         break;
-    case ARC:                      /* to both sides. What the polynomial is off by grows with the sine */
+    case ARC:                      /* on both sides; the polynomial's error grows with the sine */
         o[0] = arc(atan2(a[1], a[0]), a[2]) / (fabs(sin(a[2])) + 0.003);
         o[1] = arc(atan2(a[1], -a[0]), -a[2]) / (fabs(sin(a[2])) + 0.003);
         break;
@@ -807,7 +805,7 @@ static void want(double *o, const term *t, const double *a, int i)
         o[1] = o[2] = floor(fmin(fmax(a[0], a[1]), 32));
         o[0] = o[1] - floor(fmin(fmin(a[0], a[1]), 32));
         break;
-    case SLAB:                     /* as measured, at least a gap, at most the radius; of sheets the thickness */
+    case SLAB:                     /* measured, from a gap to the radius; of sheets, the thickness */
         o[0] = (i & 3) == 1 ? fmax(fmin(a[1] - a[0], 0.5), a[2]) : fmax(0.3, a[2]);
         o[1] = 0.2;
         break;
@@ -822,7 +820,7 @@ static void want(double *o, const term *t, const double *a, int i)
     case DISC: {                   /* over the whole disc's: middles of rings of equal area, whose sum telescopes */
         const double h = a[0], rr = a[1], half = 0.5 * rr / t->by,
                      several = h / rr * (1 / (h * h + half) - 1 / (h * h + rr + half));
-        o[0] = h * h < 16 * rr ? several * h * (h * h + rr) : 1;   /* beyond four radii its centre alone */
+        o[0] = h * h < 16 * rr ? several * h * (h * h + rr) : 1;   /* beyond four radii only its centre */
     }
     }
 }
@@ -906,20 +904,21 @@ static void functions_of_numbers(void)
     CHECK(!ssgi_gl_reflection(NULL, 1), "written to nothing");
 }
 
-/* ---- >>walk: slices, a bit or a vector at a time ----------------------------------------------------------------- */
+/* ---- >>walk: slices, by GLSL's bits and by vectors --------------------------------------------------------------- */
 
-/* A side's sectors with what its steps missed and what is beyond the picture, which goes on for so many radii. */
+/* A side's sectors, with an expectation for occluders that its samples missed and for those beyond the picture, which
+   ends after so many radii. */
 static double expected(double found, double open, int steps, double edge)
 {
     const double beyond = fmax(1 - edge, 0), missed = fmax(0.09375 / steps - 0.0028, 0) * found;
     return found + open * fmin(missed + beyond * beyond * fmin(0.05 * found, 0.4), 1);
 }
 
-/* One tap in one slice, at an elevation over a plane that is tilted: what of it counts. The walk ends at the radius, or
-   with the span where there is one. */
+/* One sample in one slice, at an elevation over a tilted plane: whether and how much it counts. The walk ends at the
+   radius, or at the span if there is one. */
 static void slices_limits(void)
 {
-    /* degrees; sine of the elevation; is it beyond the normal? */
+    /* degrees; sine of the elevation; 1: beyond the normal */
     static const struct { double tilt, height; int beyond, counts, span;
     } row[] = { { 80, 0.39, 1, 0, 0 },   { 80, 0.41, 1, 1, 0 },   { 80, 0.2, 1, 0, 0 }, { 60, 0.9, 1, 1, 0 },
                 { 80, 0.0039, 0, 0, 0 }, { 30, 0.0041, 0, 1, 0 }, { 60, 0.3, 0, 1, 0 }, { 20, 0.7, 0, 1, 0 },
@@ -929,7 +928,7 @@ static void slices_limits(void)
     frame.surfel[0] = 1.561f;
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
         const double tilt = row[k].tilt * pi / 180, up = row[k].beyond ? pi - asin(row[k].height) : asin(row[k].height);
-        /* of the tap from the view direction: 4 pixels aside, so much nearer */
+        /* of the sample from the view direction: 4 pixels aside, and nearer */
         const double away = tilt + pi / 2 - up;
         for (int i = 0; i < MANY; ++i) {
             const double from = hypot(i % SIDE - SIDE / 2, i / SIDE - SIDE / 2);
@@ -937,7 +936,7 @@ static void slices_limits(void)
         }
         in[CENTRE][0] = (float)sin(tilt);
         in[CENTRE][1] = (float)cos(tilt);
-        /* its square of the radius or the span: 4.3 pixels. Sectors are rounded up but for 1e-5 */
+        /* the square of this, times the radius or the span, is 4.3 pixels. Sectors are rounded up, but for 1e-5 */
         in[CENTRE][2] = row[k].span ? 0.414937f : 0.276624f;
         d.surfel.span = row[k].span;
         if (!probe_map(&d, &frame, "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel));"
@@ -954,15 +953,15 @@ static void slices_limits(void)
     }
 }
 
-/* What pass thickness would write of map's view depths in x and thicknesses in w, in radii / 63. It leaves there what
-   is read back. */
+/* The texels of pass thickness for map's view depths in x and thicknesses in w, in radii / 63. Writes the values that
+   are read back into map. */
 static const uint32_t (*measured(int orthographic))[4]
 {
     static uint32_t packed[MANY / 4][4];
-    for (int t = 0; t < MANY / 4; ++t) {                   /* a texel a 2x2 */
+    for (int t = 0; t < MANY / 4; ++t) {                   /* a texel for each 2x2 */
         float z[4];
         unsigned thickness[4];
-        for (int i = 0; i < 8; ++i) {                      /* in, then out */
+        for (int i = 0; i < 8; ++i) {                      /* writes, then reads */
             float *const of = map[(t / (SIDE / 2) * 2 + (i >> 1 & 1)) * SIDE + t % (SIDE / 2) * 2 + (i & 1)];
             if (i == 4) pack_measured(packed[t], z, thickness, orthographic);
             if (i < 4) { z[i] = of[0]; thickness[i] = (unsigned)of[3]; }
@@ -972,9 +971,9 @@ static const uint32_t (*measured(int orthographic))[4]
     return (const uint32_t (*)[4])packed;
 }
 
-/* A slice's side of the walk as it is defined, by vectors and a sector at a time; the frame as walks_by_vectors has
-   it. Width is map's w, in radii / 63. span: where it ends, if before the radius, in perspective times the
-   receiver's depth; its second half fades. */
+/* A slice's side of the walk by its definition, with vectors, one sector after another; the frame is that of
+   walks_by_vectors. Thickness is map's w, in radii / 63. span: where the walk ends if that is before the radius, in
+   perspective times the receiver's depth. In its second half it fades. */
 typedef struct walk { const ssgi_gl_frame *frame; int flat, thickness, steps; double span; } walk;
 typedef struct walked { double l, z, end, low, high, c, h; int seen; } walked;
 
@@ -989,7 +988,7 @@ static void seen_at(const walk *w, double x, double y, double z, double *Q)
     Q[2] = -z;
 }
 
-/* The sector of a cosine, by the polynomial of ssgi_arc_odd, which twin_arc holds. */
+/* The sector of a cosine, by the polynomial of ssgi_arc_odd, which twin_arc tests. */
 static double sector_of(double c, double g, double whole, double noise)
 {
     const double q = c * c;
@@ -997,7 +996,7 @@ static double sector_of(double c, double g, double whole, double noise)
     return fmax(fmin((0.5 * cos(g) * (1 - q) + 0.5 * sin(g) * odd) * 32 / whole + noise, 32), 0);
 }
 
-/* Of sectors from low to high those that are free, which are taken. */
+/* Takes sectors from low to high, and returns how many of them were free. */
 static int taken(uint32_t *mask, double low, double high)
 {
     int fresh = 0;
@@ -1015,14 +1014,14 @@ static void toward(double *sum, double c, double h, double share)
     sum[1] += share * h / l;
 }
 
-/* Attenuated sectors; where: times their elevation, along and up. t: along the tangent plane; n: the normal over the
-   length of its projection; g: its angle. */
+/* Returns the attenuated sectors. where: sums them times their elevation, along t and up. t: in the tangent plane; n:
+   the normal over the length of its projection; g: its angle. */
 static double side_walked(double *where, const walk *w, const int *p, const double *P, const double *t, const double *n,
                           double g, const double *pixels, double xi, double noise)
 {
     const double R = (double)w->frame->radius, reach = w->span > 0 ? fmin(w->span, R) : R;
     const double whole = fmax(sector_of(-sin(g), g, 32, 0), 1e-5);
-    /* a 20th of a pixel, under which the walk hides rounding */
+    /* a 20th of a pixel, by which the walk hides rounding */
     const float *per = w->frame->unproject;
     const double near = 0.05 * fmax(fabs((double)per[0]), fabs((double)per[1])) * (w->flat ? 1 : -P[2]);
     walked last = { 0, -P[2], -P[2], 0, 0, 1, 0, 1 };
@@ -1038,7 +1037,7 @@ static double side_walked(double *where, const walk *w, const int *p, const doub
         z[1] = z[0] + (w->thickness == SSGI_GL_THICKNESS_CONSTANT ? (double)w->frame->thickness_limit : width);
         if (z[2] <= 0) z[2] = 1e18;
         z[3] = z[2] + fmax(fmin(tap[2] > tap[1] ? (double)(tap[2] - tap[1]) : (double)tap[3] * R / 63, R), 2 * gap);
-        for (int i = 0; i < 4; ++i) {               /* front, back, second front, its back: along and up */
+        for (int i = 0; i < 4; ++i) {               /* front, back, second front, its back: along, up */
             seen_at(w, x + 0.5, y + 0.5, z[i], Q);
             for (int c = 0; c < 3; ++c) at[i][c] = Q[c] - P[c];
             e[i][0] = dot3(at[i], t);
@@ -1086,7 +1085,7 @@ static double side_walked(double *where, const walk *w, const int *p, const doub
 
 static double fraction(double x) { return x - floor(x); }
 
-/* What the walk of pixel i should block; light: what it should take of the first band, along x, y, z. */
+/* The occlusion that the walk of pixel i must have. light: its share of the first band, along x, y, z. */
 static double walk_of(double light[3], const walk *of, int i, int slices)
 {
     const ssgi_gl_frame *const frame = of->frame;
@@ -1127,9 +1126,9 @@ static double walk_of(double light[3], const walk *of, int i, int slices)
     return want;
 }
 
-/* The walk of every pixel of a rough map, some of it turned far from the viewer, beside linear forms in GLSL; and what
-   it takes from the first band of light's harmonics, which tells where. A sector that rounding moves is a 32nd of a
-   slice's side: few pixels have one. */
+/* The walk at every pixel of a rough map, with some normals far from the viewer, in GLSL and by vectors; and its light
+   in the first band of harmonics, which tells directions. If rounding moves a sector, a slice's side changes by a 32nd:
+   few pixels may. */
 static void walks_by_vectors(void)
 {
     static const char *const thickness[5] = { "solid", "constant", "width", "slabs", "constant,span=4" };
@@ -1182,10 +1181,10 @@ static void walks_by_vectors(void)
             mean += want;
             ++many;
         }
-        /* how far a texel is off its slice is taken at the receiver's depth */
+        /* a texel's distance from its slice is taken at the receiver's depth */
         CHECK(off < many * (k & 1 ? 0.004 : 0.06) && fabs(bias) < many * 0.0004 && mean > many * 0.2,
               "%s: %d of %d pixels are off by more than 0.002, by %g on the mean", words, off, many, bias / many);
-        /* of what lies behind a hole solids keep an elevation, which rounding decides */
+        /* behind a hole solids keep an elevation that rounding decides */
         CHECK(astray < 3 * many * (k & 1 ? 0.015 : 0.06), "%s: of light %d of %d components are", words, astray,
               3 * many);
         t_note("%s: %.4f blocked, by %.6f less; off by over 0.002: %d of %d, %d of light", words, mean / many,
@@ -1195,7 +1194,8 @@ static void walks_by_vectors(void)
 
 /* ---- >>figures: weights and limits that no formula gives, by cases worked out by hand ---------------------------- */
 
-/* A light's row of t_ssgi_lights from its map on, in map's first texels: the map is seen along -z, in tile 0,32 .. */
+/* Puts a light's row of t_ssgi_lights, from its map on, into map's first texels. The map looks along -z, in tile
+   0,32. */
 static void light_rows(int texel, float scale, int flat_, int wide)
 {
     const float light[5][4] = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, -1, 0 }, { 0, scale, -1, (float)flat_ },
@@ -1204,7 +1204,7 @@ static void light_rows(int texel, float scale, int flat_, int wide)
     memcpy(map[texel], light, sizeof light);
 }
 
-/* Points of a plane before a map, which shows a surface before each of them by `before` at its end. */
+/* Points of a plane before a map. Before each point the map shows a surface, the last one nearer by almost `before`. */
 static void light_points(float depth, float scale, int flat_, double before)
 {
     light_rows(3, scale, flat_, SIDE);
@@ -1216,12 +1216,11 @@ static void light_points(float depth, float scale, int flat_, double before)
     }
 }
 
-/* A surface just before what a shadow map shows, which faces its light and whose texels are points: lit as long as that
-   is what rounding does. */
+/* The shadow map shows a surface just before a point that faces its light, with texels as small as points. It must stay
+   lit as long as rounding alone may explain the difference. */
 static void shadow_slack(void)
 {
-    /* of a far point, of a map that is deep; 3e-7 of the scale, times depth squared where 1/z is stored, and 2e-5 of
-       the depth */
+    /* of a far point; of a deep map: 3e-7 of the scale, times depth squared if 1/z is stored, and 2e-5 of the depth */
     static const struct { float depth, scale; int flat; double slack; } row[] = {
         { 1000, 1, 1, 0.0200003 }, { 1, 1000, 1, 3.2e-4 }, { 10, 10, 0, 5e-4 }, { 1, 500, 0, 1.7e-4 } };
     const ssgi_gl_desc d = desc_of("lights", "shadow=map");
@@ -1238,8 +1237,8 @@ static void shadow_slack(void)
     }
 }
 
-/* Planes that slope against a sun's map, whose axis is the way to the light, or against a spot's at its axis. The map
-   has a surface before them, by up to twice the bias in C: it shadows from the bias on. */
+/* Planes that slope against a sun's map, whose axis points to the light, or against a spot's at its axis. The map shows
+   a surface before them by up to twice the bias in C, and must shadow from the bias on. */
 static void shadow_bias(void)
 {
     const ssgi_gl_desc d = desc_of("lights", "shadow=map");
@@ -1247,26 +1246,26 @@ static void shadow_bias(void)
     for (int k = 0; k < 10; ++k) {
         const int flat_ = k & 1;
         const double c = 0.9 - 0.2 * (k / 2), depth = 20, width = flat_ ? 0.25 : 0.0125;
-        const float patch = 0.25f, most = (float)(0.25 * sqrt(0.5) * 6); /* which the last is cut to */
+        const float patch = 0.25f, most = (float)(0.25 * sqrt(0.5) * 6); /* the limit of the last plane's bias */
         const double bias = (double)ssgi_shadow_bias(patch, (float)c, most, SSGI_BIAS_SAFE);
         char statements[300];
         int lit = 0;
         light_points((float)depth, 1, flat_, 2 * bias);
-        /* at the axis the way to the light is as long as the depth */
+        /* at the axis the light's distance is the depth */
         snprintf(statements, sizeof statements,
                  "ssgi_light s; s.distance = %f, s.facing = vec4(%f); float contact;"
                  "o = vec4(ssgi_shadow(0, a.xyz, vec3(%f, 0.0, %f), s, %f, contact));",
                  depth, width, sqrt(1 - c * c), c, c);
         if (!probe_map(&d, &frame, statements)) return;
         for (int i = 0; i < SIDE; ++i) lit += out[i][0] < 0.5f;
-        /* a fiftieth of a texel of slack */
+        /* with a slack of a fiftieth of a texel */
         CHECK(fabs(lit - 0.5 - 32 * (1 + 0.02 * (double)patch / bias)) <= 1.5, "cosine %g, %s: lit for %g of the bias",
               c, flat_ ? "a sun" : "a spot", lit / 32.0);
     }
 }
 
-/* As many rows as the texture has, each a sun that its map shows. The first says how many of the others are the same
-   sun with wider maps; where that is no number of rows, it may be none or all, but no row is visited again. */
+/* Reads at most as many rows as the texture has. Each row is a sun that its map shows; the first tells how many of the
+   others are the same sun with wider maps. A number out of range counts as none or all, and no row is read again. */
 static void rows_are_visited_once(void)
 {
     static const struct { float wider; int lights; float sum, or_; } row[] = {
@@ -1280,7 +1279,7 @@ static void rows_are_visited_once(void)
     memcpy(map[0], sun, sizeof sun);
     for (int i = 1; i < SIDE; ++i) memcpy(map[SIDE * i], map[0], 8 * sizeof map[0]);
     for (int i = 0; i < SIDE; ++i) memcpy(in[i], (float[4]){ 0.5f, 0.5f, -1, 0 }, sizeof in[i]);
-    map[SIDE * 32 + 8][0] = 1000;                        /* what the map shows is far behind the point */
+    map[SIDE * 32 + 8][0] = 1000;                        /* the map shows a surface far behind the point */
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
         const ssgi_gl_frame frame = { .radius = 1, .max_slope = 20, .lights = row[k].lights };
         map[1][3] = row[k].wider;
@@ -1291,8 +1290,8 @@ static void rows_are_visited_once(void)
     }
 }
 
-/* A point that the picture has in matter, and an extra camera before a wall at depth 2: it is open if it stands before
-   that by more than two pixels there, which are 2/32 of its depth. */
+/* A point that is inside of matter for the picture, and an extra camera before a wall at depth 2. The point is open if
+   it is before the wall by more than two pixels there, which are 2/32 of its depth. */
 static void view_slack(void)
 {
     static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 };
@@ -1317,7 +1316,7 @@ static void view_slack(void)
     CHECK(open > MANY / 2 && open < MANY, "%d of %d are open", open, MANY);
 }
 
-/* One bright pixel of each level: 2^l pixels are averaged, and of 2^l + 1 around one the ends share a weight. */
+/* One bright pixel on each level: 2^l pixels are averaged, of the 2^l + 1 around one, whose ends share a weight. */
 static void smooth_weights(void)
 {
     enum { LEVELS = 4 };
@@ -1341,15 +1340,14 @@ static void smooth_weights(void)
                 CHECK(fabs(is - want) < 1e-6, "axis %d, level %d, %d away: %g, not %g", axis, l, k, is, want);
             }
     }
-    /* beside it, 0.7 of how far off a neighbour may be: its weight of a half has 0.3 left */
+    /* beside it, at 0.7 of the largest difference that counts: of its weight of a half 0.3 is left */
     depth[CENTRE - 1] -= 0.7f * 2 * ssgi_pixel_footprint(&view, 5);
     d.surfel.axis = 0;
     if (!pass_drawn(got, 0, 1, SIDE, LEVELS * SIDE, &d, &frame, t, 3)) return;
     CHECK(fabs((double)got[MANY + CENTRE] - 1 / 1.65) < 1e-5, "beside a step: %g", (double)got[MANY + CENTRE]);
 }
 
-/* One bright pixel: a Gaussian whose variance is that of a radius of two deviations, and of a pixel: for 2 pixels
-   5/4. */
+/* One bright pixel. The Gaussian's variance is that of a radius of two deviations, and a pixel's: 5/4 for 2 pixels. */
 static void gaussian_weights(void)
 {
     static float got[MANY], ao[MANY][2];
@@ -1364,8 +1362,8 @@ static void gaussian_weights(void)
     }
 }
 
-/* An emitter that shows its unseen side sends 0.35 of what is seen of it, edge-on nothing; a second slab behind it
-   half; what shines from both sides all. */
+/* An emitter seen by its unseen side sends 0.35 of its front's light, and edge-on nothing; a second slab behind it
+   sends half. With two_sided it always sends all. */
 static void unseen_sides(void)
 {
     static const struct { float d[3], share[3]; } row[] = {    /* the normal is +z: before it, behind it, beside it */
@@ -1395,10 +1393,10 @@ static void unseen_sides(void)
     }
 }
 
-/* A surfel that faces receivers farther and farther from it: its form factor is r^2 / (d^2 + r^2). Of that slices have
-   all up to half a span, and less and less up to a whole one, if they see it: before the eye, and within two radii of
-   the depth at its pixel, which others surround at another depth. One that they see and that faces the eye sends the
-   light of the picture's surface, others their own. */
+/* A surfel faces receivers at growing distances: its form factor is r^2 / (d^2 + r^2). Slices have all of that up to
+   half a span, and less and less up to a whole span, if they see the surfel: before the eye, within two radii of the
+   depth at its pixel; other pixels have another depth. A surfel that they see, and that faces the eye, sends the light
+   of the picture's surface, others their own. */
 static void slices_see_surfels(void)
 {
     static const struct { float x, z, radius, toward; int seen; } row[] = {
@@ -1441,7 +1439,7 @@ static void slices_see_surfels(void)
         }
         glBufferData(GL_ARRAY_BUFFER, sizeof surfel, &surfel, GL_STATIC_DRAW);
         if (!pass_drawn(got[0], 0, 4, SIDE, SIDE, &d, &frame, t, 3)) return;
-        for (int i = 0; i < MANY; ++i) {                       /* of its rectangle the lower half is drawn */
+        for (int i = 0; i < MANY; ++i) {                       /* the rectangle's lower half */
             const double away = 1.25 * span * (i + 1) / MANY, rr = (double)row[k].radius * (double)row[k].radius,
                          sliced = row[k].seen ? fmax(fmin(2 - 2 * away / span, 1), 0) : 0,
                          form = rr / (away * away + rr) * (1 - sliced);
@@ -1457,7 +1455,7 @@ static void slices_see_surfels(void)
     glDeleteBuffers(1, &buffer);
 }
 
-/* Pixel bounds of spheres and of halves of them, also of those that the near depth cuts. */
+/* Pixel bounds of spheres and of half spheres, also if the near depth cuts them. */
 static void twin_spheres(void)
 {
     static const float normal[8][3] = {
@@ -1486,7 +1484,7 @@ static void twin_spheres(void)
             for (int c = 0; c < 4; ++c) got[c] = fminf(fmaxf(out[i][c], 0), c & 1 ? 480 : 640);
             if (is) for (int c = 0; c < 4; ++c) NEAR(got[c], b[c], 0.02, "ssgi_sphere");
             else CHECK(got[2] - got[0] < 0.02f || got[3] - got[1] < 0.02f, "a sphere that is not seen is drawn");
-            if (in[i][3] - in[i][2] < frame.near_depth)    /* no width would be a texel when it is rounded outwards */
+            if (in[i][3] - in[i][2] < frame.near_depth)    /* no width would be a texel if it is rounded outwards */
                 for (int c = 0; c < 4; ++c) NEAR(out[i][c], 0, 0, "ssgi_sphere before the near depth");
             cut += is && -in[i][2] - in[i][3] < frame.near_depth;
             empty += !is;
@@ -1495,7 +1493,7 @@ static void twin_spheres(void)
     }
 }
 
-/* Parts that a triangle's edges need: by the finest surfels in it, wherever it is about the near plane and the eye. */
+/* Parts of a triangle's edges, from the finest surfels in it, wherever it is relative to near plane and eye. */
 static void twin_parts(void)
 {
     enum { MOST = 40 };
@@ -1528,7 +1526,7 @@ static void twin_parts(void)
     }
 }
 
-/* Levels, their points, radii, and corners of triangles that shrink, as ssgi_surfels has them. */
+/* Levels, their points, radii, and the corners of triangles that shrink, as in ssgi_surfels. */
 static void twin_tessellation(void)
 {
     ssgi_gl_desc d = desc_of("surfels", "dialect=410,tessellate=1");
@@ -1572,9 +1570,9 @@ static void twin_tessellation(void)
     }
 }
 
-/* ---- >>history: what is read of the last frame ------------------------------------------------------------------- */
+/* ---- >>history: how passes read the last frame ------------------------------------------------------------------- */
 
-/* A camera that stands still, or went so far sideways and back. */
+/* The last frame of a camera that stands, or that went so far sideways and back. */
 static ssgi_gl_frame follows(float radius, float by, float back)
 {
     ssgi_gl_frame frame = facing(radius);
@@ -1587,7 +1585,7 @@ static ssgi_gl_frame follows(float radius, float by, float back)
     return frame;
 }
 
-/* Two frames of a plane 10 away, and what a pass has of them. */
+/* Two frames of a plane at depth 10, as a pass reads them. */
 static float now[MANY][4], last[MANY][4], went[MANY][2], means[MANY][2], nearby[MANY], got[MANY][4];
 
 static const given frames[4] = { { "t_ssgi_ao", GL_RGBA32F, SIDE, SIDE, 0, now },
@@ -1595,7 +1593,7 @@ static const given frames[4] = { { "t_ssgi_ao", GL_RGBA32F, SIDE, SIDE, 0, now }
                                  { "t_ssgi_change_share", GL_R32F, SIDE, SIDE, 0, nearby },
                                  { "t_ssgi_motion", GL_RG32F, SIDE, SIDE, 0, went } };
 
-/* Value, depth; value, depth, mean, frames of the last one; what changed nearby; how it moved by itself. */
+/* now: value, depth; last: value, depth, mean, frames; the share that changed nearby; the plane's own motion. */
 static void plane(float kept, float changed, float x, float y)
 {
     for (int i = 0; i < MANY; ++i) {
@@ -1607,7 +1605,7 @@ static void plane(float kept, float changed, float x, float y)
     }
 }
 
-/* What the last frame knows lies between four texels: of a ramp its value at the place, and how much that is blurred. A
+/* The last frame's value at a place between four texels: of a ramp the interpolated one, and how much it is blurred. A
    hundredth of a texel counts as none. */
 static void history_lies_between(void)
 {
@@ -1634,9 +1632,9 @@ static void history_lies_between(void)
     }
 }
 
-/* Frames are counted on where the last one shows the same plane, up to a pixel beyond its picture: of four texels one
-   alone counts whole, if it weighs a quarter. They are 16 at most, amid two texels 10.7, amid four 8. Where .007 of
-   what lies within the radius changed two are left; things that move by more than half a pixel on their own, by
+/* A frame is counted if the last one shows the same plane, up to a pixel beyond its picture. One of four texels counts
+   whole if it weighs a quarter. The count is at most 16, between two texels 10.7, between four 8. If .007 of the space
+   within the radius changed, two frames are left; but things that move by themselves by more than half a pixel, by
    motion vectors, keep theirs. */
 static void history_counts_on(void)
 {
@@ -1659,9 +1657,9 @@ static void history_counts_on(void)
     }
 }
 
-/* The last frame saw a plane that is off by up to twice the slack, which is half a pixel and a thousandth of the depth,
-   and as many pixels more as a thing moved beyond half a one. It is measured across the plane, though depths are along
-   the view, and where a camera came nearer from what it saw before. */
+/* The last frame shows a plane that is off by up to twice the slack: half a pixel, a thousandth of the depth, and the
+   pixels that a thing moved beyond half a pixel. The difference is measured across the plane, though depths are along
+   the view; if the camera came nearer, from the depth that it had before. */
 static void history_keeps_its_plane(void)
 {
     static const struct { const char *normal; double cosine; float own, nearer, coarser; } row[] = {
@@ -1689,10 +1687,11 @@ static void history_keeps_its_plane(void)
     }
 }
 
-/* Any last state, and this frame a checkerboard beside an even half. A pixel's value is the mean of 3x3 texels up to
-   four frames, of five from five on. The mean over three frames goes a third of the way to it and stays within 0.7
-   deviations and 2 % of it; that over all goes 1/frames of it, at most 16, and stays within 0.2 and 0.5 % of the other,
-   for which it forgets up to 0.85 of the frames. Light that has to become three times as bright begins anew. */
+/* Random last values, and a frame of which half is a checkerboard, half is even. A pixel's value is the mean of 3x3
+   texels up to four frames, of five from then on. The mean over three frames goes a third of the way there, and stays
+   within 0.7 deviations and 2 %. The mean over all frames, at most 16, goes 1/frames of the way, and stays within 0.2
+   deviations and 0.5 % of the former; to be pulled, it forgets up to 0.85 of the frames. Light that becomes three times
+   as bright begins anew. */
 static void history_follows(void)
 {
     static float kept[MANY][4];
@@ -1722,10 +1721,10 @@ static void history_follows(void)
             return;
         for (int i = 0; i < MANY; ++i) {
             const int x = i % SIDE, y = i / SIDE, even = x < SIDE / 2;
-            if ((x + 1) % (SIDE / 2) < 2 || (y + 1) % SIDE < 2) continue;          /* has other neighbours */
+            if ((x + 1) % (SIDE / 2) < 2 || (y + 1) % SIDE < 2) continue;          /* other neighbours */
             const double h = even ? 0 : (i + y) & 1 ? -0.1 : 0.1, n = (double)means[i][1],
                          most = n < 1 ? 1 : fmin(n + 1, 16), value = 0.5 + h * (most < 4.5 ? 1 / 9.0 : -3 / 5.0);
-            /* of nine texels; of five, which are few: a tenth of the value more */
+            /* of nine texels; of five, which are few: and a tenth of the value */
             const double deviation = most < 4.5 ? fabs(h) * sqrt(10 / 9.0) : 1.2 * sqrt(h * h + 0.01 * value * value),
                          jump = 0.7 * deviation + 0.02 * value, drift = 0.2 * deviation + 0.005 * value;
             double quick = value + ((double)means[i][0] - value) * (1 - 1 / fmin(most, 3)),
@@ -1747,9 +1746,9 @@ static void history_follows(void)
           "%d are held, %d pulled, %d neither, %d begin anew", held, pulled, neither, anew);
 }
 
-/* A nearer rectangle comes or goes, a camera passes by one that stays, or it moves by a pixel before a camera that
-   trembles: of 4x4 pixels that are tested in a tile those that changed, at its depth. Depths of one surface differ by
-   less than a pixel and a 500th. With motion vectors of 0 fewer than four pixels are an edge's, not a change. */
+/* A nearer rectangle appears or goes, a camera passes one that stays, or it moves by a pixel before a trembling camera.
+   Of the 4x4 pixels that are tested in a tile, those at its depth that changed count. Depths of one surface differ by
+   less than a pixel and a 500th. With motion vectors of 0 fewer than four pixels are an edge, not a change. */
 static void changes_are_counted(void)
 {
     enum { TILES = SIDE / 8, LOW = TILES / 2 - 1, TALL = TILES / 2 };
@@ -1762,7 +1761,7 @@ static void changes_are_counted(void)
         { 1, 0, 6, 6, 0, 0, 0, 9.92f, 0, 0 },
         { 1, 1, 6, 6, 0, 1, 0.7f, 9, 0, 0 },
         { 1, 1, 6, 6, 0, 1, 0.03f, 9, 0, 0 },                  /* its edge reached another pixel's centre */
-        { 1, 1, 6, 6, 0, 1, 0.015f, 9, 0, 3 / 16.0 },          /* of x = 6, which it left, y = 0, 2 and 4 */
+        { 1, 1, 6, 6, 0, 1, 0.015f, 9, 0, 3 / 16.0 },          /* at x = 6, which it left: y = 0, 2 and 4 */
         { 1, 0, 2, 2, 0, 0, 0, 9, 0, 1 / 16.0 },
         { 1, 0, 2, 2, 1, 0, 0, 9, 0, 0 },
         { 1, 0, 3, 7, 0, 0, 0, 9, 3 / 16.0, 8 / 16.0 },
@@ -1790,9 +1789,9 @@ static void changes_are_counted(void)
     }
 }
 
-/* One tile changed, whole; the radius is two tiles long. Within it and a tile more a sixteenth of what lies there did,
-   unless that is nearer or farther than the radius; of its own surfaces those that changed are some. Where it is six
-   tiles every other one is looked at, and counts for four; where it is one, a quarter changed. */
+/* One whole tile changed, and the radius is two tiles. Within the radius and one tile more, a sixteenth of the space
+   has changed, unless the tile is nearer or farther than the radius. With a radius of six tiles every second tile is
+   read and counts for four; with one tile a quarter changed. */
 static void changes_are_nearby(void)
 {
     enum { TILES = SIDE / 8, AT = TILES / 2 };
@@ -1816,8 +1815,8 @@ static void changes_are_nearby(void)
     }
 }
 
-/* Where 1 to 9 of 3x3 texels are of the surface: their mean, and of values that are all alike a tenth of it times
-   sqrt(few (few - 1)), few = 9 over their number. */
+/* The filter, if 1 to 9 of 3x3 texels show the surface: their mean; and for equal values a deviation of a tenth of it
+   times sqrt(few (few - 1)), few = 9 over their number. */
 static void history_spreads(void)
 {
     const ssgi_gl_desc d = facing_of("history", "");
@@ -1841,8 +1840,8 @@ static void history_spreads(void)
     }
 }
 
-/* Texels of half size on a plane 10 away; every other one is off it by up to so much of a 100th of the radius and a
-   pixel. */
+/* Texels at half resolution on a plane at depth 10. Every second one is off it, by up to most times a 100th of the
+   radius and a pixel. */
 static void half_size(float low, float high, float most)
 {
     for (int i = 0; i < MANY; ++i) {
@@ -1851,9 +1850,9 @@ static void half_size(float low, float high, float most)
     }
 }
 
-/* Of half size 4x4 texels are averaged by tents of two and a half of them, the less the farther they are off the plane
-   and the more frames there are; where five are averaged, the four next to a pixel by steeper ones. Their weights fall
-   off: all of them count as 7. */
+/* At half resolution 4x4 texels are averaged by tents of two and a half texels. They count less the farther they are
+   off the plane and the more frames there are. Of settled pixels the four nearest texels count more. All of them count
+   as 7 samples, as their weights fall off. */
 static void history_spreads_half_size(void)
 {
     const ssgi_gl_desc d = facing_of("history", "resolution=half,depth=custom");
@@ -1889,7 +1888,7 @@ static void history_spreads_half_size(void)
     }
 }
 
-/* From half size blur averages 3x3 texels by tents of 4 pixels, and 5x5 without their corners by tents of 5.5. */
+/* At half resolution blur averages 3x3 texels by tents of 4 pixels, and 5x5 without corners by tents of 5.5. */
 static void blur_spreads_half_size(void)
 {
     ssgi_gl_desc d = facing_of("blur", "resolution=half,depth=custom");
@@ -1918,8 +1917,8 @@ static void blur_spreads_half_size(void)
     }
 }
 
-/* Of half size each of the four pixels is drawn in turn, as often as the others, whatever its directions; texels beyond
-   the image stay beyond. */
+/* At half resolution the four pixels are drawn in turn, equally often and with any directions. Texels beyond the image
+   stay beyond it. */
 static void pixels_take_turns(void)
 {
     const ssgi_gl_desc d = desc_of("hsao", "resolution=half_in_turn,orthographic=1");
@@ -1941,8 +1940,8 @@ static void pixels_take_turns(void)
     }
 }
 
-/* Of quarter size sixteen frames draw each pixel of a 4x4 once, any four in a row one of each 2x2 of it. The texel 0, 0
-   of a filter is that of the nearest pixel that is gathered. */
+/* At a quarter sixteen frames draw each pixel of a 4x4 once, and any four successive frames one of each 2x2 of it. A
+   filter's texel 0, 0 is that of the nearest gathered pixel. */
 static void quarters(void)
 {
     ssgi_gl_frame frame = facing(1);
@@ -1959,7 +1958,7 @@ static void quarters(void)
                 return;
             for (int i = 0; i < MANY / 2; ++i) {
                 const float *of = out[2 * i], *rest = out[2 * i + 1], *pixel = in[2 * i];
-                const int x = (int)(of[2] - 4 * of[0]), y = (int)(of[3] - 4 * of[1]); /* of its 4x4 */
+                const int x = (int)(of[2] - 4 * of[0]), y = (int)(of[3] - 4 * of[1]); /* in its 4x4 */
                 int right = x >= 0 && x < 4 && y >= 0 && y < 4 && (turns || (!x && !y)) && fabsf(rest[2] + 4) < 0.1f
                          && fabsf(rest[3] - 4) < 0.1f;
                 for (int c = 0; c < 2; ++c)

@@ -1,15 +1,15 @@
 #!/bin/sh
-# tree.sh - no room of examples/ calls one above it, and no files of the kit call each other in a circle: what each
-# object file defines and what it asks for, as nm has them.
+# tree.sh - fails if a room of examples/ calls one above it, or if files of the kit call each other in a circle. nm
+# lists the symbols that each object file defines and needs.
 #
 #   make tree                  of the kit, build/render and build/report
 #   sh tests/tree.sh FILE.o .. of these
 #
-# A room is a folder; those of one height are rooms that do not call each other.
+# A room is a folder. Rooms of the same height do not call each other.
 edges=$(mktemp) || exit 2
 trap 'rm -f "$edges"' EXIT
 for f in "$@"; do nm -P -g "$f" | awk -v f="$f" '{ print ($2 == "U" ? "asks" : "has"), f, $1 }'; done | sort | awk '
-    # height of a file, by its folder; in the laboratory: measure, page, chart, papers, and what puts these together
+    # the height of a file, by its folder; in the laboratory, from below: measure, page, chart, papers, the commands
     function height(f) {
         return f ~ /^build\/examples\/lab\/papers\// ? 9 : f ~ /^build\/examples\/lab\/chart\// ? 8 \
              : f ~ /^build\/examples\/lab\/page\// ? 7 : f ~ /^build\/examples\/lab\/measure\// ? 6 \

@@ -1,4 +1,4 @@
-/* types.ts - the types of the npm package, for tsc: right uses compile, and wrong ones do not. For hosts.sh. */
+/* types.ts - tests the types of the npm package by tsc: right uses compile, wrong ones do not. For hosts.sh. */
 import * as THREE from 'three';
 import { load, type Desc, type Frame } from 'ssgi';
 import { Drawer } from 'ssgi/webgl';

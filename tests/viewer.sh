@@ -1,9 +1,9 @@
 #!/bin/sh
-# viewer.sh - the viewer's window under Xvfb, beside build/render's picture of the same:
+# viewer.sh - compares the viewer's window under Xvfb with build/render's picture:
 #
 #   make viewer-test
 #
-# What cannot be run here is named as skipped. FUZZ: how many damaged files and arguments the viewer gets.
+# Tests that cannot run here are named as skipped. FUZZ: how many damaged files and arguments the viewer gets.
 work=build/viewer-test
 . tests/window.sh
 open_window

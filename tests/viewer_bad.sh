@@ -1,5 +1,5 @@
-# viewer_bad.sh - the part of viewer.sh on what the viewer refuses, what it may cost, and what sanitizers see. Uses its
-# check and $work.
+# viewer_bad.sh - a part of viewer.sh: inputs that the viewer refuses, limits of time, and sanitizers. Uses its check
+# and $work.
 
 refused() {    # WORDS ARGUMENT ..: status 2, one line with the words, no picture
     words=$1
@@ -48,9 +48,9 @@ room --slide 1,2|--slide '1,2': must be three numbers
 plane --slide 1,0,0|no object that casts
 END
 
-# Models are read by Assimp, in a process of its own: what it refuses, what it passes on, what it fails on, by a change
-# of the triangle. A mesh of 4,000 primitives that 4,000 nodes have may not take long: in seconds of a processor, with
-# so much to spare that any machine has them.
+# Assimp reads models in a process of its own: models that it refuses, passes on, or crashes on, as changes of the
+# triangle. A mesh of 4,000 primitives, used by 4,000 nodes, must not take long: in seconds of processor, with much room
+# for any machine.
 if build/viewer tests/triangle.gltf --env none 2>&1 | grep -q 'reads OBJ alone'; then
     skip 'viewer, models but OBJ: Assimp is missing (apt-get install libassimp-dev)'
 else
@@ -90,7 +90,7 @@ for option in --help -h --version "plane --right truth --size 32x24 --shot $work
         "$(test $? = 2 && test "$(wc -l <$work/said)" = 1 && grep -q 'standard output' $work/said && echo 1)"
 done
 
-# The truth is traced on another thread. Mesa's own threads are not looked at: they were not built for it.
+# The truth is traced on another thread. Mesa's own threads are left out, as Mesa is not built for this sanitizer.
 for m in hsao ssdo; do
     TSAN_OPTIONS='exitcode=66 ignore_noninstrumented_modules=1 detect_deadlocks=0' GALLIVM_PERF=nopt \
         LP_NATIVE_VECTOR_WIDTH=128 build/viewer-threads boxes --method $m-fast --right truth \

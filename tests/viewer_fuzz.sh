@@ -1,12 +1,12 @@
 #!/bin/sh
-# viewer_fuzz.sh - the viewer under sanitizers, given arguments and files that are damaged by chance. viewer.sh runs a
-# few, make viewer-test FUZZ=300 so many; or by hand, where there is a display:
+# viewer_fuzz.sh - gives the viewer, under sanitizers, randomly damaged arguments and files. viewer.sh runs a few, make
+# viewer-test FUZZ=300 so many. By hand, with a display:
 #
 #   sh tests/viewer_fuzz.sh build/viewer-sanitized 300 [SEED]
 #
-# Whatever it is given, the viewer ends by itself: with status 0, a picture and nothing said, or with status 2, one line
-# and no picture. Every eighth run draws; the others name an environment that is not there, so that they end when all
-# else is read.
+# In every case the viewer must end by itself: with status 0, a picture and no output, or with status 2, one line and no
+# picture. Every eighth run draws. The others name an environment that does not exist, so that they end after all else
+# is read.
 viewer=$1 runs=$2 seed=${3:-1}
 work=build/viewer-fuzz
 rm -rf $work
@@ -59,7 +59,7 @@ cat >$work/values <<END
 --bogus 1 %s%n $(printf '%5000s' '' | tr ' ' x)
 END
 
-# A line each run: the file to be damaged or taken as it is, and up to three options; every eighth shall draw.
+# A line for each run: the file, damaged or not, and up to three options. Every eighth run draws.
 awk -v seed="$seed" -v runs="$runs" -v folder=$work/ '
     function below(n) { return int(rand() * n) }
     { row[NR] = $0 }
@@ -77,7 +77,7 @@ awk -v seed="$seed" -v runs="$runs" -v folder=$work/ '
         }
     }' $work/values >$work/runs
 
-damage() {    # FILE SEED: a copy with up to three faults, most of them another value for a number
+damage() {    # FILE SEED: a copy with up to three faults, most of them a changed number
     awk -v seed="$2" '
     function below(n) { return int(rand() * n) }
     { all = all $0 "\n" }
@@ -113,7 +113,7 @@ while read -r scene options; do
         case $scene in *.gltf) scene=$work/c.gltf ;; *) scene=$work/c.obj ;; esac ;;
     esac
     set -- "$scene" $options
-    if [ $((run % 8)) = 0 ]; then set -- "$@" --size 24x16 --shot $work/out.png; leaks=0    # GL keeps what it has
+    if [ $((run % 8)) = 0 ]; then set -- "$@" --size 24x16 --shot $work/out.png; leaks=0    # GL keeps some memory
     else set -- "$@" --shot $work/out.png --env $work/none.exr; leaks=1; fi
     said="$*"
     rm -f $work/out.png

@@ -1,15 +1,15 @@
-# viewer_keys.sh - the part of viewer.sh that sits before the window: every key that --help lists is pressed, and what
-# it changes is looked for in the line that the window prints for build/render; files are dropped; the size follows the
-# time; the printed line draws the window's picture. Uses its check, near and $work.
+# viewer_keys.sh - a part of viewer.sh: presses every key that --help lists and looks for its effect in the line that
+# the window prints for build/render; drops files; checks that the size follows the frame time, and that the printed
+# line draws the window's picture. Uses its check, near and $work.
 
-begin() {    # ARGUMENTS: a window of its own
+begin() {    # ARGUMENTS: opens a new window
     : >$work/printed
     (cd $work && exec ../../build/viewer "$@" >printed 2>said) &
     viewer=$!
     lines=0
     build/press wait
 }
-soon() {    # COMMAND: until it succeeds; no longer than the window lives, or has spent 30 s of processor meanwhile
+soon() {    # COMMAND: waits until it succeeds, while the window lives and has spent less than 30 s of processor
     most=$(($(ps -o cputimes= -p $viewer || echo 0) + 30))
     for i in $(seq 6000); do
         "$@" && return
@@ -17,14 +17,14 @@ soon() {    # COMMAND: until it succeeds; no longer than the window lives, or ha
         sleep 0.02
     done
 }
-shown() {    # PATTERN: the window's title is so; it is written four times a second
+shown() {    # PATTERN: whether it matches the title, which is written four times a second
     title=$(build/press title)
     case $title in $1) ;; *) false ;; esac
 }
 printed() { [ "$(wc -l <$work/printed)" -ge $lines ]; }
 stored() { saved=$(ls $work/ssgi-*.$1 2>/dev/null); [ -s "$saved" ]; }
 end() { build/press "${1:-q}"; wait $viewer; ended=$?; }
-ask() {    # the line after these keys into $line
+ask() {    # puts the line printed after these keys into $line
     build/press "$@" w
     lines=$((lines + 1))
     soon printed
@@ -36,8 +36,8 @@ grabbed() { build/press "$@" wait wait grab:$work/grab.ppm; saved=$work/grab.ppm
 differ() { build/rmse "$1" "$2" 2>/dev/null | awk '{ print ($1 > 0.001) } END { if (!NR) print 1 }'; }
 wait_for() { for i in $(seq "$1"); do build/press wait; done; }
 
-# ---- settings, light and camera, by the line: KEYS with + between, the option, its value "b" beside "a" before as AWK
-# says; "" = it has none. p and q are the parts of both.
+# ---- settings, light and camera, by the line: KEYS joined by +, the option, and an AWK condition on its value: "a"
+# before the keys, "b" after them, "" = no value. p and q hold the parts of a and b.
 pressed=
 begin room --size 320x180 --scale 1 --panel 0
 ask
@@ -104,7 +104,7 @@ check "viewer, the title: $title" "$(shown 'room - ssdo - 400x240 - *[0-9] ms' &
 end q
 check "viewer, key q: status $ended" "$([ $ended = 0 ] && echo 1)"
 
-# ---- what only the picture shows: KEYS, how it is seen, what differs from the picture before
+# ---- effects seen in the picture alone: KEYS, how they are seen, what differs from the picture before
 begin room --size 320x180 --scale 1 --panel 0 --method hsao --set history=0
 picture
 while read -r keys seen what; do
@@ -144,7 +144,7 @@ for k in $listed; do
     case "$pressed " in *" $k "*) ;; *) check "viewer, key $k is listed, but not tried here" 0 ;; esac
 done
 
-# ---- files that are dropped
+# ---- dropped files
 begin room --size 320x180 --scale 1 --panel 0 --set history=0
 ask
 whole=$line
@@ -168,11 +168,11 @@ for drop in "dim.hdr $work/dim.hdr" "it%27s%20a%20triangle.gltf it'\\''s a trian
 done
 end
 
-# ---- the size that there is time for; what a view that stays becomes
+# ---- the size fits the frame time; a view at rest is refined
 # A title ends with "WxH - MS ms".
 begin room --size 1280x720 --panel 0 --method ssdo
 build/press a
-paced() {    # a frame takes 100 to 250 ms, or less of the whole window
+paced() {    # whether a frame takes 100 to 250 ms, or less and shows the whole window
     title=$(build/press wait title)
     small=$(echo "$title" | sed 's/.* - \([0-9]*\)x.*/\1/') ms=$(echo "$title" | sed 's/.* - \([0-9.]*\) ms.*/\1/')
     [ "$(is "$ms <= 250 && ($ms >= 100 || $small == 1280)")" = 1 ]
@@ -180,7 +180,7 @@ paced() {    # a frame takes 100 to 250 ms, or less of the whole window
 soon paced && so=1 || so=0
 check "viewer, while it moves: a frame takes 100 to 250 ms, or less of the whole window: $title" $so
 build/press size:320x180
-larger() {    # the share of the window that is drawn
+larger() {    # whether a larger share of the window is drawn
     title=$(build/press wait i title)
     [ "$(is "$small == 1280 || $(echo "$title" | sed 's/.* - \([0-9]*\)x.*/\1/') / 320 > $small / 1280")" = 1 ]
 }
@@ -201,7 +201,7 @@ END
 end
 
 # ---- the printed line
-repeated() {    # NAME MOST PICTURE: what the line in $line draws beside the window's picture
+repeated() {    # NAME MOST PICTURE: compares the picture that the line in $line draws with the window's
     sh -c "$(printf %s "$line" | sed "s| --out .*| --out $work/repeated.png|; s| boxes.obj| $work/boxes.obj|")" \
         >$work/out 2>&1 || cat $work/out
     near "viewer, the line of $1" "$3" $work/repeated.png "$2"

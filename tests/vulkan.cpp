@@ -1,11 +1,11 @@
-/* vulkan.cpp - a capture (capture.c) drawn by the host's own loop, examples/hosts/vulkan.cpp; for vulkan.sh.
+/* vulkan.cpp - draws a capture (capture.c) by the loop of a host, examples/hosts/vulkan.cpp; for vulkan.sh.
 
       build/vulkan-replay CAPTURE [TEXTS] [ID=VALUE ..] [out=FILE]
 
-   TEXTS: the folder whose texts and manifest are drawn, unless the capture's own. ID=VALUE: a specialisation constant.
+   TEXTS: the folder of shaders and manifest, unless it is the capture's own. ID=VALUE: a specialisation constant.
    FILE: all results of all frames, as bytes, one after another.
    Prints the largest RMSE of all frames and results against the kit's. Status 1: the validation layer had a message, or
-   a result shows nothing, so that nothing is compared. */
+   a result shows no surface, so that nothing was compared. */
 #define main host_main
 #include "../examples/hosts/vulkan.cpp"
 #undef main
@@ -20,8 +20,8 @@ struct replay {
     std::string folder;
     json capture;
     chain c;
-    std::map<int, image> textures; /* the capture's, by their numbers there */
-    std::map<int, buffer> buffers; /* its data as blocks and surfels */
+    std::map<int, image> textures; /* the capture's textures, by its numbers */
+    std::map<int, buffer> buffers; /* its data, as uniform blocks and surfels */
     std::ofstream out;
     double worst = 0;
     bool flat = false;
@@ -61,7 +61,8 @@ struct replay {
         for (size_t k = 0; k < s.yours.size(); ++k) s.yours[k] = is["yours"][k] < 0 ? nullptr : texture(is["yours"][k]);
     }
 
-    /* Of what a pixel shows: one channel, of four the first three; the others hold depth and the like. */
+    /* Compares one channel, or the first three of four: the others hold depth and the like. Pixels must show a
+       surface. */
     void compare(const json &result)
     {
         const json &t = capture["textures"].at(result["is"].get<size_t>());
@@ -80,7 +81,7 @@ struct replay {
             most = fmaxf(most, want[i]);
         }
         const double rmse = sqrt(squares / (double)(texels * shown));
-        worst = rmse <= worst ? worst : rmse; /* what is no number stays */
+        worst = rmse <= worst ? worst : rmse; /* keeps NaN */
         flat = flat || !(most - least > 0.1f);
     }
 

@@ -1,10 +1,10 @@
 #!/bin/sh
-# vulkan.sh - chains drawn by Vulkan on the processor (lavapipe), beside the kit's pictures by GL, without a message of
-# the validation layer:
+# vulkan.sh - draws chains by Vulkan on the processor (lavapipe) and compares them with the kit's pictures by GL. The
+# validation layer must have no message:
 #
 #   make vulkan-test
 #
-# build/vulkan-replay draws what build/capture wrote, in the formats that the kit has; build/vulkan a saved frame.
+# build/vulkan-replay draws the files of build/capture, with the kit's formats; build/vulkan draws a saved frame.
 work=build/vulkan-test
 . tests/window.sh
 
@@ -25,9 +25,9 @@ ${MAKE:-make} -s --no-print-directory build/capture build/glsl-text build/render
     exit 1
 
 export VK_DRIVER_FILES=$lavapipe VK_ICD_FILENAMES=$lavapipe
-export ASAN_OPTIONS=detect_leaks=0                          # lavapipe keeps some bytes
+export ASAN_OPTIONS=detect_leaks=0                          # lavapipe leaks some bytes
 
-number() { case $1 in [0-9]*.[0-9]*) echo "$1" ;; *) echo 9 ;; esac; }          # nan, or nothing: far off
+number() { case $1 in [0-9]*.[0-9]*) echo "$1" ;; *) echo 9 ;; esac; }          # 9 for nan and for no output
 capture() {    # NAME SCENE METHOD ..
     build/capture $work/"$@" && sh examples/tools/glsl/translate.sh "$work/$1" spv >$work/log && return
     cat $work/log
@@ -75,7 +75,7 @@ bounce      ALL   room ssdo set bounce=solid-angle,history=1 frames 3
 s3ho        BASIC room s3ho
 END
 
-# The texts of 6 steps with the constant of 10 (constant_id 2) draw what those of 10 draw; without it they do not.
+# With the constant (constant_id 2) at 10, shaders of 6 samples draw the same as shaders of 10; without it they do not.
 capture steps-6 room hsao set samples=6 && capture steps-10 room hsao set samples=10
 replay $work/steps-10 $work/steps-6 2=10
 special=$rmse
@@ -84,7 +84,7 @@ echo "  steps by a constant: RMSE $special, without it $rmse"
 check "steps by a constant: RMSE $special, at most 0.0005; without it $rmse, more" \
     "$(is "$special <= 0.0005 && $rmse > 0.001")"
 
-# The host on a saved frame.
+# The host draws a saved frame.
 build/glsl-text --chain hsao,depth=LINEAR,precise=1 --spv $work/host >$work/log &&
     build/render room --size 320x180 --save-gbuffer $work/frame.exr >$work/log &&
     build/vulkan $work/host $work/frame.exr 45 0.5 $work/host.exr validate &&

@@ -1,12 +1,11 @@
-/* web-hostile.mjs - what the page and the loader are given that is wrong: models, for web.mjs; arguments, for
-   test_tools.c. */
+/* web-hostile.mjs - bad inputs for the page and the loader: models, for web.mjs; arguments, for test_tools.c. */
 
-/* ---- models: name, text or bytes, what is said of it */
+/* ---- models: name, text or bytes, the error -------- */
 
 const triangle = (...corners) => `${corners.map(at => `v ${at}\n`).join('')}f 1 2 3\n`;
 const gltf = more => JSON.stringify({ asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }],
                                       nodes: [{ mesh: 0 }], ...more });
-/* A triangle of these indices, a line, bounds that are not theirs. */
+/* A triangle with these indices, a line, and bounds that do not fit them. */
 export function indexed(...indices) {
     const bytes = new Uint8Array(36 + 2 * indices.length);
     bytes.set(new Uint8Array(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0).buffer));
@@ -25,7 +24,7 @@ export function indexed(...indices) {
 export const wedge = (scale, place = [0, 0, 0]) => [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     .map(at => `v ${at.map((v, i) => v * scale + place[i]).join(' ')}\n`).join('')
     + 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
-/* The same by a node that stands there, as a glTF; it glows. east: its own floats begin there. */
+/* The same wedge as a glTF, in a node at place; it glows. east: where its own coordinates begin. */
 export function glowingWedge(place, east = 0) {
     const bytes = new Uint8Array(72);
     bytes.set(new Uint8Array(Float32Array.of(east, 0, 0, east + 1, 0, 0, east, 1, 0, east, 0, 1).buffer));
@@ -40,7 +39,7 @@ export function glowingWedge(place, east = 0) {
     });
 }
 
-/* Of one brightness; rows without run lengths. */
+/* A Radiance picture of one brightness, without run lengths. */
 export function hdr(width, height, value) {
     const head = new TextEncoder().encode(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${height} +X ${width}\n`);
     const bytes = new Uint8Array(head.length + 4 * width * height);
@@ -49,7 +48,7 @@ export function hdr(width, height, value) {
     return bytes;
 }
 
-/* The corners of the wedge and its faces, as the npm package draco3d 1.5.7 packed them. */
+/* The wedge's corners and faces, packed by the npm package draco3d 1.5.7. */
 const packed = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
 const dracoMesh = packed('RFJBQ08CAgEBAAAABAQAAwAAAS8BARAB/wAAAQAJAwAAAgEBAQADAwEQATADAFCCJJEEAAAAAP8DAAAAAAAAAAAAAAAA'
     + 'AAAAAIA/Cg==');
@@ -112,16 +111,16 @@ export const models = [
      /^basis\.gltf: cannot be read: its pictures are KTX2, which nothing here reads; must/]
 ];
 
-/* ---- arguments of ssgi.mjs: a call, what it says */
+/* ---- arguments of ssgi.mjs: a call, its error ---- */
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], nothing = identity.map(() => NaN);
 const projection = [1.3, 0, 0, 0, 0, 2.4, 0, 0, 0, 0, -1.002, -1, 0, 0, -0.2002, 0];
 const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
-/* A list of 16 that iterates over more. */
+/* A list whose length is 16, but whose iterator yields more. */
 const endless = list => Object.assign(list, { length: 16, *[Symbol.iterator]() { yield* new Array(1e5).fill(1); } });
 
-/* What is none, by what it should be. */
+/* Bad values, by the type that an argument should have. */
 const whole = [NaN, 1.5, 2 ** 32 + 4, undefined, '4', 4n, {}], number = ['1', {}, []], made = [{}, null, [1, 2, 3]];
 const list = [null, '0123456789abcdef', new BigInt64Array(16), [1], { length: 2 ** 31 }, [NaN]];
 const matrix = [undefined, ...list, nothing, [...identity, 0], endless([])], object = [undefined, 'HSAO', []];
@@ -205,7 +204,7 @@ export function calls({ load, Ssgi }, ssgi) {
     ];
 }
 
-/* What is right is still done after all that. */
+/* Valid calls still work after all of these. */
 export const works = ssgi => ssgi.shader({ pass: 'HSAO', resolution: true }).startsWith('#version')
     && ssgi.steps({ desc: { pass: 'HSAO' }, width: 64, height: 48, blur: 1, history: true }).length > 1
     && ssgi.view(endless([...projection]), 64, 48).join() === ssgi.view(projection, 64, 48).join()

@@ -1,5 +1,5 @@
-/* web-kit.mjs - what tests in a browser share: one line a test, a server of a folder, Chromium without a window. What
-   the machine lacks is skipped by name. puppeteer-core lies in build/web-deps, where make web-deps puts it. */
+/* web-kit.mjs - shared by tests in a browser: a line for each test, a server of a folder, Chromium without a window.
+   Parts that the machine lacks are named as skipped. make web-deps puts puppeteer-core into build/web-deps. */
 import { existsSync, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, resolve } from 'node:path';
@@ -11,7 +11,7 @@ export function check(ok, what) { if (!ok) throw new Error(what); }
 
 export function note(text) { notes.push(text); }
 
-/* With a word on the command line: tests whose sentence holds it. */
+/* With a word on the command line only tests whose sentence holds it run. */
 export async function run(sentence, test) {
     if (!sentence.includes(only)) return;
     const begun = performance.now();
@@ -42,7 +42,7 @@ export const rest = ms => new Promise(done => setTimeout(done, ms));
 const types = { __proto__: null, '.html': 'text/html', '.mjs': 'text/javascript', '.js': 'text/javascript',
                 '.css': 'text/css', '.json': 'application/json', '.wasm': 'application/wasm' };
 
-/* The address of a folder. */
+/* Serves a folder; returns its address. */
 export async function serve(folder) {
     const server = createServer((request, answer) => {
         try {
@@ -58,7 +58,7 @@ export async function serve(folder) {
     return `http://127.0.0.1:${server.address().port}`;
 }
 
-/* What a browser is launched with for WebGL 2, and for WebGPU beside it, without a GPU. */
+/* The browser's arguments for WebGL 2, and with WebGPU beside it, without a GPU. */
 export const software = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
                          '--hide-scrollbars'];
 export const withWebgpu = [...software, '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader',

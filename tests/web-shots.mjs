@@ -1,5 +1,5 @@
 /* web-shots.mjs - make web-shots: pictures of the page for examples/docs/pictures/page.
-   node tests/web-shots.mjs [WORD]: those whose name has it. */
+   node tests/web-shots.mjs [WORD]: only those whose name has the word. */
 import { mkdirSync, readFileSync } from 'node:fs';
 import { launch, rest, serve, software } from './web-kit.mjs';
 
@@ -8,7 +8,7 @@ const browser = await launch(...software);
 const root = await serve('build');
 mkdirSync(folder, { recursive: true });
 
-/* Milliseconds of a CPU say nothing about the page on a GPU. */
+/* A CPU's milliseconds say nothing about the page on a GPU, so they are hidden. */
 const unclocked = `#rate, #cost, #clock,
     #status:not(:has(:is(#error, #rays, #here):not(:empty), #legend:not([hidden]))) { display: none !important }`;
 

@@ -1,4 +1,4 @@
-/* web.mjs - make web-test: the texts of WebGL 2 and the page of make web in a browser without a window.
+/* web.mjs - make web-test: the shaders of WebGL 2, and the page of make web, in a browser without a window.
    node tests/web.mjs [WORD OF A TEST], from the repository's root after make web. */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, statSync, readdirSync, writeFileSync } from 'node:fs';
@@ -14,7 +14,7 @@ import { draco, glowingWedge, hdr, indexed, models, wedge } from './web-hostile.
 
 const browser = await launch(...software), root = await serve('build'), out = 'build/web-test';
 
-const said = [];                                    /* what consoles said that is wrong */
+const said = [];                                    /* errors on the consoles */
 function hear(page, name) {
     page.on('console', m => {
         if (/was preloaded .* but not used/.test(m.text())) return;     /* on a busy machine; a wrong name is a 404 */
@@ -32,7 +32,7 @@ async function open(hash, { width = 1280, height = 800, before = null } = {}) {
     await page.waitForFunction('globalThis.page && (page.first || page.lacks)', { timeout: 60000 });
     return page;
 }
-/* A test during which the console stays silent. */
+/* A test that fails if the console has an error meanwhile. */
 const quietly = (sentence, test) => run(sentence, async () => {
     const begun = said.length;
     await test();
@@ -40,7 +40,7 @@ const quietly = (sentence, test) => run(sentence, async () => {
 });
 const render = (...words) =>
     execFileSync('build/render', words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
-/* The bytes that an expression is in the page. */
+/* The bytes of an expression's value in the page. */
 const bytesOf = async (page, expression) => Buffer.from(await page.evaluate(async expression => {
     const bytes = new Uint8Array((await (0, eval)(expression)).buffer);
     let text = '';
@@ -87,7 +87,7 @@ await run('each setting takes its values, which an address carries; all else is 
     check(Object.keys(Object.prototype).length === 0, 'Object.prototype has got members');
 });
 
-/* ---- the texts */
+/* ---- the shaders */
 
 await run('every text of WebGL 2 compiles, vertex and fragment of every variant link', async () => {
     const page = await browser.newPage();
@@ -119,8 +119,8 @@ await run('every text of WebGL 2 compiles, vertex and fragment of every variant 
         return { texts: shaders.size, programs: programs.length, wrong };
     });
     await page.close();
-    note(`${texts} texts compiled, ${programs} programs linked, ${wrong.length} with a complaint`);
-    check(texts > 200 && programs > 200, `only ${texts} texts, ${programs} programs`);
+    note(`${texts} shaders compiled, ${programs} programs linked, ${wrong.length} with a complaint`);
+    check(texts > 200 && programs > 200, `only ${texts} shaders, ${programs} programs`);
     check(!wrong.length, wrong.join('\n'));
 });
 
@@ -129,12 +129,12 @@ await run('every text of WebGL 2 compiles, vertex and fragment of every variant 
 const page = await open('size=960x540&history=0'), go = hash => page.evaluate(h => page.go(h), hash);
 note(`first picture after ${(await page.evaluate('page.first') / 1000).toFixed(2)} s at 960x540`);
 
-/* Where the sun stands in the page, as build/render takes it. */
+/* The page's sun, in words of build/render. */
 async function sunlight() {
     const { toSun, irradiance } = await page.evaluate('page.inside().stage.sunlight');
     return ['--light', `sun:${[...toSun, ...irradiance].join()}`];
 }
-/* What build/render's picture is off from the page's left side; of light, as a share of its mean. */
+/* The RMSE between build/render's picture and the page's left side; of light, over the mean. */
 async function apart(given) {
     const { width, height, light } = await page.evaluate(() => {
         const { width, height, pixels } = page.result(0);
@@ -151,8 +151,8 @@ async function apart(given) {
         .exec(told);
     return light ? { rmse: rmse / mean, p95: p95 / mean } : { rmse: +rmse, p95: +p95 };
 }
-/* Both draw the scene: at silhouettes rasterisers differ by a pixel here and there, which fine scenes have many of; but
-   of the room both read one G-buffer, which the page drew and which brings its camera and radius. */
+/* Both draw the scene. Rasterisers differ at silhouettes by a pixel here and there, and fine scenes have many
+   silhouettes. For the room both use one G-buffer, which the page drew, and its camera and radius. */
 const sky = 'a=ssdo&sky=sky', ssdo = ['ssdo', '--env', 'sky', '--set'];
 for (const [scene, hash, given, most = 0.006] of [
     ['casters', 'a=hsao', ['hsao']], ['casters', 'a=hsao&p=BEST', ['hsao-best']], ['casters', 'a=ssao', ['ssao']],
@@ -198,7 +198,7 @@ for (const [scene, hash, given, off] of [
 
 /* ---- settings */
 
-/* What is seen: on the canvas, of calm pages at rest, and beside it. */
+/* The canvas and the panel beside it; calm: waits until the page rests. */
 const seen = (page, calm = true) => page.evaluate(async calm => {
     for (let i = 0; i < 400 && calm && !page.smooth() && page.resting(); ++i) await new Promise(requestAnimationFrame);
     const { elements } = document.getElementById('panel'), notice = document.getElementById('notice');
@@ -221,7 +221,7 @@ await quietly('every word of every setting is drawn, on both sides', async () =>
     }
     note(`${all.length} addresses`);
 });
-/* The page's own sentences are of what node reads of the same address and settings. */
+/* The page must show the sentences that node makes of the same address and settings. */
 const expected = (hash, { limits, before }) => {
     const { wrong } = read(hash, limits, before), shown = wrong.slice(0, 3), more = wrong.length - shown.length;
     return [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');
@@ -243,7 +243,7 @@ await quietly('no address stops a page that is open', async () => {
 
 /* ---- files */
 
-/* Drops files onto the page; resolves when they are shown, or what is wrong with them. unread: why none can be read. */
+/* Drops files onto the page; resolves when they are shown or refused. unread: the reason why none can be read. */
 const drop = (page, contents, unread = null) => page.evaluate(async (files, unread) => {
     const dataTransfer = new DataTransfer(), loading = document.getElementById('loading');
     const { stream } = File.prototype;
@@ -300,7 +300,7 @@ await quietly('a model is drawn alike in any unit and place, and without the lin
         }));
     }
     note(`mean visibility ${means.map(v => v.toFixed(4)).join(', ')}`);
-    for (const all of [means.slice(0, 6), means.slice(6, 9)])       /* a glTF's corners share their normals */
+    for (const all of [means.slice(0, 6), means.slice(6, 9)])       /* corners of a glTF share their normals */
         check(all[0] < 0.999 && all.every(v => Math.abs(v - all[0]) < 0.001), all.join());
 });
 await quietly('files that belong together are read together: OBJ, MTL, picture; glTF, BIN; packed GLB', async () => {
@@ -325,7 +325,7 @@ await quietly('files that belong together are read together: OBJ, MTL, picture; 
         check(await drop(page, files), `${name}: nothing says that it is read`);
         const { title, notice } = await seen(page);
         check(title === name && notice === said, `${title}: ${notice}`);
-        const found = await page.evaluate(() => {         /* the colour of the middle: the model, not the floor */
+        const found = await page.evaluate(() => {         /* the colour in the middle: the model, not the floor */
             const all = page.picture(), at = 4 * (45 * 160 + 78);
             return [...all.subarray(at, at + 3)];
         });
@@ -385,11 +385,11 @@ await quietly('a scene that does not come leaves the one that is shown', async (
     check(notice === 'scenes/slats.bin: is cut short or no scene; must be as make web writes it', notice);
     check(isDeepStrictEqual({ ...after, notice: '' }, before), JSON.stringify([before, after]));
 });
-await page.close();                                 /* a page in the background draws no frames */
+await page.close();                                 /* pages in the background draw no frames */
 
 /* ---- controls and keys */
 
-/* A control of the panel is set as a visitor does it; resolves when that is drawn. */
+/* Sets a control of the panel as a visitor does; resolves when the page has drawn it. */
 const put = (page, name, value) => page.evaluate(async (name, value) => {
     const all = [...document.getElementById('panel').elements].filter(e => e.name === name);
     const control = all.length > 1 ? all.find(e => e.value === value) : all[0];
@@ -587,7 +587,7 @@ int main(void)
     await page.close();
 });
 
-/* ---- where there is little */
+/* ---- a narrow window, a small GPU ---- */
 
 const without = names => `{ const { prototype } = WebGL2RenderingContext, all = prototype.getExtension;
     prototype.getExtension = function (name) { return ${names}.test(name) ? null : all.call(this, name); }; }`;

@@ -1,10 +1,10 @@
-/* webgpu-page.mjs - of make web-test: the page with ?webgpu beside the page without, in one browser that has both. */
+/* webgpu-page.mjs - a part of make web-test: compares the page with ?webgpu and the page without, in one browser. */
 import { readFileSync } from 'node:fs';
 import { check, launch, note, rest, run, serve, withWebgpu } from './web-kit.mjs';
 
 const browser = await launch(...withWebgpu), root = await serve('build');
 
-const said = [];                                    /* but for what ANGLE says of the test's own reading of pixels */
+const said = [];                                    /* errors, except ANGLE's on the test's own reading of pixels */
 async function open(query, hash, before = null) {
     const page = await browser.newPage();
     page.on('console', m => {
@@ -22,8 +22,8 @@ const state = page => page.evaluate(() => ({
     notice: document.getElementById('notice').hidden ? '' : document.getElementById('notice').textContent,
     draws: !!page.inside().gpu, search: location.search, box: document.getElementById('webgpu-box').checked }));
 
-/* Of what is set in an address: how the sides' results and the pictures of both differ. Light as
-   a share of its mean; its alpha is the filter's own, and of pixels without a surface nothing is asked. */
+/* The differences of both sides' results and of the picture for an address. Light is divided by its mean. Its alpha is
+   not compared, as it is the filter's own, and neither are pixels without a surface. */
 const compare = (page, hash) => page.evaluate(async hash => {
     const draw = async gpu => {
         if (!!page.inside().gpu !== gpu) await page.webgpu(gpu);
@@ -52,7 +52,7 @@ const compare = (page, hash) => page.evaluate(async hash => {
 const first = await open('?webgpu', 'size=320x180&history=0&b=off');
 if ((await state(first)).notice) console.log(`skipped: the page in WebGPU: ${(await state(first)).notice}`);
 else {
-    /* Both rasterise: a pixel of a silhouette that one of them covers is most of this. */
+    /* Mostly pixels on silhouettes, which one rasteriser covers and the other does not. */
     const most = 0.006, small = 'sky=sky&size=320x180&history=0';
     const alike = async hash => {
         const differs = await compare(first, hash), { notice } = await state(first);

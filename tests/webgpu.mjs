@@ -1,7 +1,7 @@
-/* webgpu.mjs - make webgpu-test: WGSL in a browser. Every text that make glsl WGSL=1 makes becomes a module and, with
-   its other stage, a pipeline (the tint that translates lets pass what browsers refuse: words that WGSL reserves);
-   examples/hosts/webgpu.html draws out of what make npm packs. What chains draw is compared in webgpu-page.mjs.
-   node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the texts lie in build/webgpu-test. */
+/* webgpu.mjs - make webgpu-test: WGSL in a browser. Each shader of make glsl WGSL=1 becomes a module, and with its
+   other stage a pipeline; browsers refuse words that WGSL reserves, and the tint that translates does not. The page
+   examples/hosts/webgpu.html draws with the package of make npm. webgpu-page.mjs compares the pictures of chains.
+   node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the shaders lie in build/webgpu-test. */
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
 import { check, end, launch, note, run, serve, skip, withWebgpu } from './web-kit.mjs';
@@ -31,7 +31,7 @@ const adapter = await page.evaluate(async () => {
 });
 if (typeof adapter === 'string') await skip(`everything: ${adapter}`);
 
-/* Modules stay in the page for the pipelines. What is said of each text, by its name. */
+/* Modules stay in the page, as pipelines need them. said: the messages on each text, by its name. */
 const said = new Map(await page.evaluate(async names => {
     globalThis.modules = new Map();
     return Promise.all(names.map(async name => {
@@ -47,7 +47,7 @@ await run('every text is there, and a module', () => {
     const needed = [...programs, ...steps].flatMap(({ vert, frag }) => [vert, frag]);
     const lacking = needed.filter(name => !said.has(name));
     const refused = [...said.values()].flatMap(lines => lines[0] ?? []);
-    note(`${names.length} texts, ${refused.length} refused`);
+    note(`${names.length} shaders, ${refused.length} refused`);
     check(programs.length > 200 && steps.length > 100 && !lacking.length,
           `${programs.length} programs, ${steps.length} steps lack ${lacking.join(' ')}`);
     check(!refused.length, refused.join('\n'));
@@ -180,7 +180,7 @@ else await run('examples/hosts/webgpu.html draws hsao out of what make npm packs
     const said = [], host = await browser.newPage();
     host.on('console', line => said.push(line.text()));
     host.on('pageerror', error => said.push(error.message));
-    await host.evaluateOnNewDocument(() => {        /* the canvas holds its picture until the page's script ends */
+    await host.evaluateOnNewDocument(() => {        /* the canvas keeps its picture until the page's script ends */
         const { submit } = GPUQueue.prototype;
         GPUQueue.prototype.submit = function (buffers) {
             submit.call(this, buffers);
@@ -207,5 +207,5 @@ else await run('examples/hosts/webgpu.html draws hsao out of what make npm packs
     await host.close();
 });
 
-console.log(`        ${names.length} texts; WebGPU on ${adapter.vendor} ${adapter.architecture}`);
+console.log(`        ${names.length} shaders; WebGPU on ${adapter.vendor} ${adapter.architecture}`);
 await end();

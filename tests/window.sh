@@ -1,15 +1,15 @@
-# window.sh - what viewer.sh, hosts.sh and vulkan.sh share: counted checks, pictures compared, Xvfb, boxes. Before they
-# read this they set work, a folder that is made anew.
+# window.sh - shared by viewer.sh, hosts.sh and vulkan.sh: counted checks, comparison of pictures, Xvfb, boxes. They set
+# work, a folder that is made anew, before they read this.
 export LIBGL_ALWAYS_SOFTWARE=1
 rm -rf $work
 mkdir -p $work report
 passed=0 failed=0 x=
 
-check() {    # WHAT, whether it is so
+check() {    # NAME OK: passes if OK is 1
     if [ "$2" = 1 ]; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $1"; fi
 }
 is() { awk "BEGIN { print ($*) ? 1 : 0 }"; }
-near() {    # WHAT A B MOST [GAMMA]: their RMSE; A's values to the power of GAMMA first
+near() {    # NAME A B MOST [GAMMA]: their RMSE is at most MOST; A is first taken to the power of GAMMA
     rmse=$(build/rmse "$2" "$3" $5) || rmse=9
     echo "  $1: RMSE $rmse"
     check "$1: RMSE $rmse, at most $4" "$(is "$rmse <= $4")"
@@ -20,7 +20,7 @@ finish() {
     echo "$passed passed, $failed failed"
     exit $((failed > 0))
 }
-open_window() {    # sets DISPLAY; without Xvfb all that follows is skipped
+open_window() {    # sets DISPLAY; without Xvfb the tests are skipped
     if ! command -v Xvfb >/dev/null; then skip 'all windows, Xvfb is missing (apt-get install xvfb)'; finish; fi
     Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp -noreset 3>$work/display 2>/dev/null &
     x=$!

@@ -1,6 +1,7 @@
 #!/bin/sh
-# pictures.sh - pictures of README and TUNING.md: make pictures [ONLY=radius]. A picture is its name, a crop of 1280x720
-# and by how much that is enlarged (without a filter); then its panels, each a label and what build/render is given.
+# pictures.sh - pictures of README, METHODS.md and TUNING.md: make pictures [ONLY=radius]. A picture is its name, a crop
+# of 1280x720, by how much that is enlarged (without a filter) and, if it has several rows, how many panels a row has;
+# then its panels, each a label and what build/render is given. Of --frames a panel is the last frame.
 set -e
 cd "$(dirname "$0")/../.."
 command -v montage >/dev/null || sh examples/kit/install.sh imagemagick fonts-dejavu-core
@@ -8,20 +9,25 @@ work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 
 draw() {    # label, flags
     count=$((count + 1))
-    panel=$work/$name-$count.png
-    build/render $2 --size 1280x720 --out "$panel" >/dev/null
+    panel=$work/$name-$(printf %02d $count).png
+    case $2 in
+        *--frames*)
+            build/render $2 --size 1280x720 --out "$work/frame-%04d.png" >/dev/null
+            mv "$(ls "$work"/frame-* | tail -n 1)" "$panel" && rm -f "$work"/frame-* ;;
+        *) build/render $2 --size 1280x720 --out "$panel" >/dev/null ;;
+    esac
     convert "$panel" -crop "$crop" +repage -scale "$scale" -set label "$1" "$panel"
 }
 
 finish() {
-    montage "$work/$name"-*.png -font DejaVu-Sans -pointsize 15 -background white -tile "${count}x" -geometry +3+3 \
+    montage "$work/$name"-*.png -font DejaVu-Sans -pointsize 15 -background white -tile "${row:-$count}x" -geometry +3+3 \
         -depth 8 "examples/docs/pictures/$name.png"
     echo "examples/docs/pictures/$name.png"
 }
 
-while IFS='|' read -r first second third; do
+while IFS='|' read -r first second third fourth; do
     case $third:$first in
-        ?*:*) name=$first crop=$second scale=$third count=0 ;;
+        ?*:*) name=$first crop=$second scale=$third row=$fourth count=0 ;;
         :) case $name in *"$ONLY"*) finish ;; esac ;;
         *) case $name in *"$ONLY"*) draw "$first" "$second" ;; esac ;;
     esac
@@ -55,6 +61,20 @@ history|210x140+620+330|200%
 one frame of hsao-history|room --method hsao-history
 its 16th frame|room --method hsao-history --still 16
 ray tracing|room --truth 256
+
+moving|170x112+405+198|200%|4
+hsao-history, frame 17|casters --method hsao-history --slide 0.03,0,0 --frames 17
+hsao-history, frame 21|casters --method hsao-history --slide 0.03,0,0 --frames 21
+hsao-history, frame 25|casters --method hsao-history --slide 0.03,0,0 --frames 25
+hsao-history, frame 29|casters --method hsao-history --slide 0.03,0,0 --frames 29
+the same without history|casters --method hsao-history --set history=0 --slide 0.03,0,0 --frames 17
+the same without history|casters --method hsao-history --set history=0 --slide 0.03,0,0 --frames 21
+the same without history|casters --method hsao-history --set history=0 --slide 0.03,0,0 --frames 25
+the same without history|casters --method hsao-history --set history=0 --slide 0.03,0,0 --frames 29
+ray tracing|casters --truth 256 --slide 0.48,0,0
+ray tracing|casters --truth 256 --slide 0.60,0,0
+ray tracing|casters --truth 256 --slide 0.72,0,0
+ray tracing|casters --truth 256 --slide 0.84,0,0
 
 thickness|420x280+640+400|100%
 DEFAULT|plates

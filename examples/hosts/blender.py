@@ -1,12 +1,12 @@
-"""blender.py - a frame of Blender's for build/render, and Cycles' own ambient occlusion of it. Debian: blender.
+"""blender.py - saves a frame of Blender for build/render, and Cycles' own ambient occlusion of it. Debian: blender.
 
   blender --background --factory-startup --python-exit-code 1 --python examples/hosts/blender.py -- MESH.obj FOLDER
   build/render --gbuffer FOLDER/frame.exr --camera 0,6,8,0,0,0 --fovy 45 --radius 1 --set falloff=none --out ao.png
 
-FOLDER/frame.exr is a multilayer EXR with the passes that build/render understands: Depth, Normal (in the world) and
-DiffCol. FOLDER/ao0001.exr: Cycles' AO pass of SAMPLES rays within DISTANCE, all alike, as falloff=none takes them. The
-mesh keeps its y up, so the camera is that of the other hosts. A scene of Blender's own has z up: --up 0,0,1 then, and
---fovy is the vertical angle, where camera.data.angle is the longer side's by default."""
+FOLDER/frame.exr is a multilayer EXR with the passes that build/render reads: Depth, Normal (in world space) and
+DiffCol. FOLDER/ao0001.exr is Cycles' AO pass: SAMPLES rays within DISTANCE, all with full weight, as by falloff=none.
+The mesh keeps its y up, so the camera is that of the other hosts. For your own scene, in which z is up, add --up 0,0,1.
+--fovy is the vertical angle; camera.data.angle is by default that of the longer side."""
 import os, sys
 import bpy
 from mathutils import Matrix, Vector
@@ -31,7 +31,7 @@ scene.world = bpy.data.worlds.new('world')
 scene.world.light_settings.distance = DISTANCE
 scene.render.engine = 'CYCLES'
 scene.cycles.samples, scene.cycles.use_denoising = SAMPLES, False
-scene.cycles.pixel_filter_type = 'BOX'                                      # as one sample a pixel has it
+scene.cycles.pixel_filter_type = 'BOX'                                      # as with one sample a pixel
 scene.cycles.filter_width = 0.01
 scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 960, 540, 100
 layer = scene.view_layers[0]

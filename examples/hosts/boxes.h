@@ -1,7 +1,7 @@
-/* boxes.h - the engine of glfw.c and sdl.c, which knows nothing of ssgi: 24 boxes on a slab, in the light of a sun and
-   of a sky that is as bright everywhere. It draws them into four textures: the picture, in linear values; its ambient
-   part, which is the sky's light; normals, n/2 + 1/2 in view space; depth. GL's functions are declared by who includes
-   it: GL 3.3 core or GLES 3.0. */
+/* boxes.h - the engine of glfw.c and sdl.c, which has no part of ssgi: 24 boxes on a slab, lit by a sun and by a sky of
+   uniform brightness. It draws four textures: the picture, in linear values; its ambient part, which is the sky's
+   light; normals, n/2 + 1/2 in view space; depth. The file that includes it declares GL's functions: GL 3.3 core or
+   GLES 3.0. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -9,10 +9,12 @@ enum { BOXES_PICTURE, BOXES_AMBIENT, BOXES_NORMAL, BOXES_DEPTH, BOXES_TEXTURES }
 
 static GLuint boxes_texture[BOXES_TEXTURES], boxes_framebuffer, boxes_scene, boxes_shown;
 
-/* Column by column: 45 degrees high, near and far planes at 0.1 and 100. boxes_resize sets its first number. */
+/* Column-major: a vertical angle of 45 degrees, near and far planes at 0.1 and 100. boxes_resize sets the first
+   number. */
 static float boxes_projection[16] = { 0, 0, 0, 0, 0, 2.41421356f, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 };
 
-/* Box 0 is the slab. They are turned about y, seen from (0, 6, 8); the sun is above the viewer's left shoulder. */
+/* Box 0 is the slab. All boxes turn about y and are seen from (0, 6, 8); the sun is above the viewer's left
+   shoulder. */
 static const char boxes_vertex[] =
     "uniform mat4 projection; uniform float angle; flat out vec3 normal;\n"
     "void main() {\n"
@@ -40,7 +42,7 @@ static const char boxes_fragment[] =
     "  view_normal = vec4(normal * 0.5 + 0.5, 0);\n"
     "}\n";
 
-/* The picture as screens take it. */
+/* Draws the picture, encoded as sRGB. */
 static const char boxes_show_vertex[] =
     "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }\n";
 static const char boxes_show_fragment[] =
@@ -71,7 +73,7 @@ static void boxes_open(const char *version)
 {
     GLuint vertices;
     glGenVertexArrays(1, &vertices);
-    glBindVertexArray(vertices); /* without attributes: what is drawn comes from gl_VertexID */
+    glBindVertexArray(vertices); /* without attributes: vertices come from gl_VertexID */
     glGenTextures(BOXES_TEXTURES, boxes_texture);
     glGenFramebuffers(1, &boxes_framebuffer);
     boxes_scene = boxes_program(version, boxes_vertex, boxes_fragment);
@@ -122,7 +124,7 @@ static void boxes_show(int w, int h)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/* Writes what is shown, as a PPM. 0, or 1 and a line that says why not. */
+/* Writes the shown picture as a PPM. Returns 0, or 1 after it has printed why not. */
 static int boxes_save(const char *path, int w, int h)
 {
     unsigned char *pixels = malloc(4 * (size_t)w * (size_t)h);

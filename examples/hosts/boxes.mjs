@@ -1,4 +1,5 @@
-/* boxes.mjs - what pages for browsers draw, as boxes.h has it: a floor and 24 boxes, their middles and half sizes. */
+/* boxes.mjs - the scene of the pages for browsers, as in boxes.h: a floor and 24 boxes, their centres and half
+   sizes. */
 export const boxes = Array.from({ length: 25 }, (_, i) => {
     const high = 0.2 + 0.2 * (i * 7 % 5);
     return i ? { at: [1.5 * (i % 5 - 2), high, 1.5 * (Math.floor(i / 5) - 2)],
@@ -6,7 +7,7 @@ export const boxes = Array.from({ length: 25 }, (_, i) => {
         : { at: [0, -0.1, 0], half: [4.5, 0.1, 4.5] };
 });
 
-/* A scene of three.js and the camera before it; plain: on white; white: so are the boxes. */
+/* A scene of three.js and its camera; plain: a white background; white: white boxes, too. */
 export function sceneOf(THREE, { plain, white }) {
     const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
     const material = new THREE.MeshLambertMaterial({ color: white ? 0xffffff : 0xe5cca6 });

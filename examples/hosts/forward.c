@@ -1,12 +1,12 @@
 /* forward.c - ambient occlusion in forward rendering: GLFW 3, GL 3.3 core, multisampled. boxes.h is the engine, whose
-   first pass gives depth and normals. Between the lines of "====" hsao draws at half size, and no pass filters it:
-   the shader that lights a surface reads it there, so that edges of samples and a pane of glass have their own. Fog is
-   mixed in afterwards, in the same shader. A sign is held before the camera: it is not in the first pass, so that it
-   occludes nothing, and its shader reads nothing.
-      cc examples/hosts/forward.c -lglfw -lGL -lm -o forward && ./forward    (Debian: libglfw3-dev)
-   ./forward FILE.ppm [SUN SKY]: one picture; with lights so bright it has neither samples, pane, sign nor fog. The
-   window keeps its size; glfw.c shows what a change of it asks for. */
-#define GL_GLEXT_PROTOTYPES /* libGL has all functions; elsewhere a loader declares them: glad, for instance */
+   first pass gives depth and normals. Between the lines of "====" hsao draws at half resolution without a filter pass:
+   the shader that lights a surface filters it, so that each sample at an edge and the pane of glass have their own
+   value. The same shader then adds fog. A sign in front of the camera is not in the first pass, so it occludes nothing,
+   and its shader does not read the occlusion.
+     cc examples/hosts/forward.c -lglfw -lGL -lm -o forward && ./forward    (Debian: libglfw3-dev)
+   ./forward FILE.ppm [SUN SKY]: one picture; with SUN and SKY as the lights' strength, without multisampling, pane,
+   sign and fog. The window's size is fixed; glfw.c shows the code for a change of size. */
+#define GL_GLEXT_PROTOTYPES /* libGL has all functions; on other systems a loader, such as glad, declares them */
 #define GLFW_INCLUDE_GLCOREARB
 #include <GLFW/glfw3.h>
 #include "boxes.h"
@@ -31,7 +31,7 @@ static const char lit[] =
     "void main() {\n"
     "  float depth = ssgi_fragment_depth(gl_FragCoord.xy, gl_FragCoord.z);\n"
     "  float visibility = ssgi_visibility_at(gl_FragCoord.xy, depth, normal);\n"
-    "  vec3 light = vec3(sky * visibility);\n" /* It dims ambient light alone. */
+    "  vec3 light = vec3(sky * visibility);\n" /* It only dims ambient light. */
     "  light += sun * vec3(1, 0.85, 0.65) * max(dot(normal, vec3(-0.6, 0.64, 0.48)), 0.0);\n"
     "  picture = vec4(mix(vec3(sky), colour.rgb * light, exp2(-fog * depth)), colour.a);\n"
     "}\n";
@@ -43,7 +43,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint gather[MOST], framebuffer[MOST], texture[MOST], block;
 
-/* Asks for the steps without the filter, makes their textures; writes the functions that read the result. */
+/* Gets the steps without the filter and makes their textures; writes the functions that read the result. */
 static const char *occlusion(char *functions, size_t size, int width, int height)
 {
     static char text[2][32768];
@@ -60,7 +60,7 @@ static const char *occlusion(char *functions, size_t size, int width, int height
         glTexImage2D(GL_TEXTURE_2D, 0, (GLint)to->format->internal, step[i].width, step[i].height, 0,
                      to->format->format, to->format->type, NULL);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* integers read 0 without this, too */
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* or integer textures read 0 */
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[to->texture], 0);
         for (int k = 0; k < 2; ++k) ssgi_gl_emit(text[k], sizeof text[k], &step[i].desc, k);
@@ -72,7 +72,7 @@ static const char *occlusion(char *functions, size_t size, int width, int height
     return ssgi_gl_read(functions, size, &step[steps - 1].desc) < size ? NULL : "the functions need more room";
 }
 
-/* Every frame, after the first pass. */
+/* Draws the occlusion; called every frame after the first pass. */
 static const char *occlude(const float projection[16], float radius, int width, int height)
 {
     ssgi_view view;
@@ -120,7 +120,7 @@ static void draw_sheet(GLuint program, const float corner[9])
 
 int main(int argc, char **argv)
 {
-    /* The pane stands on the slab before some boxes, in view space. */
+    /* The pane stands on the slab in front of some boxes, in view space. */
     static const float pane[9] = { -2, -2.1f, -7, 2, -2.1f, -7, -2, 0.3f, -5.2f },
                        sign[9] = { 0.05f, -0.08f, -0.2f, 0.1f, -0.08f, -0.2f, 0.05f, -0.04f, -0.2f };
     static char functions[32768];
@@ -152,7 +152,7 @@ int main(int argc, char **argv)
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, boxes_texture[BOXES_PICTURE], 0);
     for (; !glfwWindowShouldClose(window); glfwSwapBuffers(window), glfwPollEvents()) {
         const float angle = file ? 0.0f : 0.3f * (float)glfwGetTime();
-        boxes_draw(angle, sun, sky, WIDTH, HEIGHT); /* depth and normals of all that occludes */
+        boxes_draw(angle, sun, sky, WIDTH, HEIGHT); /* depth and normals of all occluders */
         if ((why = occlude(boxes_projection, 1, WIDTH, HEIGHT))) return fprintf(stderr, "forward: %s\n", why), 1;
         glActiveTexture(GL_TEXTURE9), glBindTexture(GL_TEXTURE_2D, texture[step[steps - 1].output[0].texture]);
         glBindFramebuffer(GL_FRAMEBUFFER, samples), glViewport(0, 0, WIDTH, HEIGHT), glEnable(GL_DEPTH_TEST);

@@ -1,10 +1,10 @@
-/* glfw.c - ambient occlusion in a window: GLFW 3, GL 3.3 core. boxes.h is the engine: it draws a picture, the part of
-   it that is ambient light, normals and depth. Between the lines of "====" ssgi dims that part, and leaves the sun's.
-      cc examples/hosts/glfw.c -lglfw -lGL -lm -o glfw && ./glfw             (Debian: libglfw3-dev)
-   Fog, glass, sprites and weapons in hands would be drawn between occlude and boxes_show, with the depth that it read,
-   and TAA last: so they are not dimmed. A thing that shall not occlude either is kept out of that depth.
-   ./glfw FILE.ppm [SUN SKY]: one picture, with lights so bright, after the window has changed its size. */
-#define GL_GLEXT_PROTOTYPES /* libGL has all functions; elsewhere a loader declares them: glad, for instance */
+/* glfw.c - ambient occlusion in a window: GLFW 3, GL 3.3 core. boxes.h is the engine: it draws a picture, its ambient
+   part, normals and depth. Between the lines of "====" ssgi dims the ambient part; the sun's light stays.
+     cc examples/hosts/glfw.c -lglfw -lGL -lm -o glfw && ./glfw             (Debian: libglfw3-dev)
+   Draw fog, glass, sprites and the player's weapon between occlude and boxes_show, with the depth that occlude read,
+   and TAA last: then they are not dimmed. Keep a thing out of that depth if it must not occlude either. ./glfw FILE.ppm
+   [SUN SKY]: one picture, after a change of the window's size; SUN and SKY: the lights' strength. */
+#define GL_GLEXT_PROTOTYPES /* libGL has all functions; on other systems a loader, such as glad, declares them */
 #define GLFW_INCLUDE_GLCOREARB
 #include <GLFW/glfw3.h>
 #include "boxes.h"
@@ -18,7 +18,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint program[MOST], framebuffer[MOST], texture[MOST], block, yours[SSGI_GL_YOURS];
 
-/* When the size changes: asks for the steps and makes what they draw into. Programs are the same for every size. */
+/* Call it when the size changes: gets the steps and makes their targets. Programs do not depend on the size. */
 static const char *resize(int width, int height)
 {
     static char text[2][32768];
@@ -32,14 +32,14 @@ static const char *resize(int width, int height)
     if (steps > MOST) return "the chain has more steps than SSGI_GL_MAX_STEPS";
     if (!block) glGenBuffers(1, &block), glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     for (int i = 0; i < steps; ++i) {
-        const ssgi_gl_output *to = step[i].output; /* of hsao one each; its texture -1: the picture */
+        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one each; texture -1: the picture */
         const GLuint into = to->texture < 0 ? boxes_texture[BOXES_PICTURE] : texture[to->texture];
         glBindTexture(GL_TEXTURE_2D, into);
         if (to->texture >= 0)
             glTexImage2D(GL_TEXTURE_2D, 0, (GLint)to->format->internal, step[i].width, step[i].height, 0,
                          to->format->format, to->format->type, NULL);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* integers read 0 without this, too */
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* or integer textures read 0 */
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, into, 0);
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return "GL refuses a step's texture";
@@ -53,7 +53,7 @@ static const char *resize(int width, int height)
     return NULL;
 }
 
-/* Every frame, with the projection that depth was drawn with. The radius: how far away what occludes may be. */
+/* Call it every frame, with the projection of depth. radius: the distance of the farthest occluders. */
 static const char *occlude(const float projection[16], float radius, int width, int height)
 {
     ssgi_view view;

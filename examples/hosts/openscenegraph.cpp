@@ -1,10 +1,10 @@
-/* openscenegraph.cpp - ambient occlusion in an engine that knows nothing of ssgi: OpenSceneGraph draws a mesh as ever;
-   its own depth buffer is all that is read, and the last step of hsao multiplies onto its picture. Between the lines of
-   "====" stands what ssgi asks of an engine; (1) to (3) are traps of this one. Glass and fog would have a camera of
-   their own (POST_RENDER), which draws after this one's callback. One frame of one size is drawn; glfw.c shows what a
-   change of size asks for. Debian: libopenscenegraph-dev.
-      c++ -std=c++17 examples/hosts/openscenegraph.cpp -losgViewer -losgDB -losg -lGL -o openscenegraph && \
-      ./openscenegraph MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT         writes OUT-before.png, OUT-after.png, OUT-ao.png */
+/* openscenegraph.cpp - ambient occlusion in an engine that knows nothing of ssgi: OpenSceneGraph draws a mesh as usual,
+   ssgi reads only its depth buffer, and the last step of hsao multiplies its picture. The code between the lines of
+   "====" is needed in every engine; (1) to (3) are traps of this one. Draw glass and fog by a camera of their own
+   (POST_RENDER), which draws after this one's callback. It draws one frame of one size; glfw.c shows the code for a
+   change of size. Debian: libopenscenegraph-dev.
+     c++ -std=c++17 examples/hosts/openscenegraph.cpp -losgViewer -losgDB -losg -lGL -o openscenegraph && \
+     ./openscenegraph MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT         writes OUT-before.png, OUT-after.png, OUT-ao.png */
 #define GL_GLEXT_PROTOTYPES
 #include <osg/GL>
 #include <GL/glext.h>
@@ -56,7 +56,7 @@ struct Occlusion {
         glGenBuffers(1, &block);
         glGenTextures(STEPS, texture);
         for (int i = 0; i < steps; ++i) {
-            const ssgi_gl_output &to = step[i].output[0];       /* one each; the last one's is the picture */
+            const ssgi_gl_output &to = step[i].output[0];       /* one each; the last step's is the picture */
             for (int s = 0; s < 2; ++s) ssgi_gl_emit(text[s], sizeof text[s], &step[i].desc, s);
             glUseProgram(program[i] = program_of(text[SSGI_GL_STAGE_VERTEX], text[SSGI_GL_STAGE_FRAGMENT]));
             for (int k = 0; k < step[i].inputs; ++k)
@@ -67,7 +67,7 @@ struct Occlusion {
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), step[i].width, step[i].height, 0,
                          to.format->format, to.format->type, nullptr);
             for (GLenum filter : { GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER })
-                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* else textures of integers read 0 */
+                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* else integer textures read 0 */
             glGenFramebuffers(1, &framebuffer[i]);
             glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[to.texture], 0);
@@ -84,7 +84,7 @@ struct Occlusion {
         glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_DYNAMIC_DRAW);
         for (GLenum off : { GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_ALPHA_TEST }) glDisable(off);
         for (int i = 0; i < steps; ++i) {
-            for (int k = 0; k < step[i].inputs; ++k) {          /* with this desc depth is all that is the engine's */
+            for (int k = 0; k < step[i].inputs; ++k) {          /* with this desc, depth is the engine's only texture */
                 const ssgi_gl_input &in = step[i].input[k];
                 glActiveTexture(GL_TEXTURE0 + GLenum(in.unit));
                 glBindTexture(in.target, in.texture < 0 ? depth : texture[in.texture]);
@@ -100,7 +100,7 @@ struct Occlusion {
 };
 /* ================================================================================================================== */
 
-struct After : osg::Camera::DrawCallback {  /* when the engine has drawn its picture */
+struct After : osg::Camera::DrawCallback {  /* after the engine has drawn its picture */
     mutable Occlusion occlusion;
     mutable GLuint depth = 0;
     float radius = 1;
@@ -120,16 +120,16 @@ struct After : osg::Camera::DrawCallback {  /* when the engine has drawn its pic
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, depth);
-        glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 0, 0, W, H, 0);    /* what the window has */
+        glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 0, 0, W, H, 0);    /* the window's depth */
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         occlusion.draw(depth, projection.ptr(), radius);
         save("-after.png");
-        glClearColor(1, 1, 1, 1);           /* once more, onto white: the occlusion alone */
+        glClearColor(1, 1, 1, 1);           /* again onto white: the occlusion alone */
         glClear(GL_COLOR_BUFFER_BIT);
         occlusion.draw(depth, projection.ptr(), radius);
         save("-ao.png");
         glUseProgram(0);
-        glPopAttrib();                      /* (1) the engine believes that nothing has changed: give it back, say so */
+        glPopAttrib();                      /* (1) the engine caches GL's state: restore it, and tell it so */
         info.getState()->dirtyAllModes();
         info.getState()->dirtyAllAttributes();
     }
@@ -142,14 +142,14 @@ int main(int argc, char **argv)
         return std::puts("usage: openscenegraph MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT"), 2;
     osgViewer::Viewer viewer;
     osg::ref_ptr<After> after = new After;
-    viewer.setSceneData(osgDB::readNodeFile(argv[1], new osgDB::Options("noRotation")));  /* (2) turns y up to z up */
+    viewer.setSceneData(osgDB::readNodeFile(argv[1], new osgDB::Options("noRotation")));  /* (2) else y up is turned */
     if (!viewer.getSceneData()) return std::printf("openscenegraph: %s: cannot be read\n", argv[1]), 2;
     viewer.setUpViewInWindow(0, 0, W, H);
     viewer.getLight()->setAmbient(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
     osg::Camera *camera = viewer.getCamera();
     camera->setViewMatrixAsLookAt(osg::Vec3d(p[0], p[1], p[2]), osg::Vec3d(p[3], p[4], p[5]), osg::Y_AXIS);
-    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);  /* (3) else GL has other planes than */
-    camera->setProjectionMatrixAsPerspective(45, double(W) / H, 0.1, 100);      /* getProjectionMatrix tells */
+    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);  /* (3) else GL's planes differ from */
+    camera->setProjectionMatrixAsPerspective(45, double(W) / H, 0.1, 100);      /* those of getProjectionMatrix */
     camera->setFinalDrawCallback(after), camera->setClearColor(osg::Vec4(0.7f, 0.78f, 0.85f, 1));
     after->radius = std::strtof(argv[3], nullptr), after->out = argv[4];
     viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);

@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 """python.py - ambient occlusion without a window: moderngl on EGL, and cffi, which reads the headers.
       python3 examples/hosts/python.py [FILE.pgm]           (Debian: python3-moderngl python3-cffi gcc libegl1)
-Boxes on a slab are drawn into depth alone; between the lines of "====" ssgi makes ambient visibility of that."""
+Depth of boxes on a slab is drawn; between the lines of "====" ssgi computes ambient visibility from it."""
 import array, os, subprocess, sys, tempfile
 import cffi, moderngl
 
-WIDTH, HEIGHT, RADIUS = 960, 540, 1.0  # the radius: how far away what occludes may be
+WIDTH, HEIGHT, RADIUS = 960, 540, 1.0  # radius: the distance of the farthest occluders
 HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'ssgi_gl.h')
 
 
 def boxes():
-    """Where the corners of their triangles are: x, y, z, x, .."""
+    """The corners of the boxes' triangles: x, y, z, x, .."""
     for i in range(25):
         size = (0.35 + 0.05 * (i * 3 % 8), 0.2 + 0.2 * (i * 7 % 5), 0.35 + 0.05 * (i * 5 % 7)) if i else (4.5, 0.1, 4.5)
         at = (1.5 * (i % 5 - 2), size[1], 1.5 * (i // 5 - 2)) if i else (0, -0.1, 0)
@@ -26,11 +26,11 @@ scene = gl.program(fragment_shader='#version 330\nvoid main() {}', vertex_shader
     uniform mat4 projection; in vec3 p;
     const mat3 view = mat3(1, 0, 0, 0, 0.8, 0.6, 0, -0.6, 0.8);
     void main() { gl_Position = projection * vec4(view * p - vec3(0, 0, 10), 1); }''')
-f = 2.41421356  # 45 degrees high, near and far planes at 0.1 and 100; column by column
+f = 2.41421356  # a vertical angle of 45 degrees, near and far planes at 0.1 and 100; column-major
 projection = f * HEIGHT / WIDTH, 0, 0, 0, 0, f, 0, 0, 0, 0, -1.002002, -1, 0, 0, -0.2002002, 0
 scene['projection'].value = projection
 depth = gl.depth_texture((WIDTH, HEIGHT))
-depth.filter, depth.compare_func = (gl.NEAREST, gl.NEAREST), ''  # moderngl's default compares where texels are read
+depth.filter, depth.compare_func = (gl.NEAREST, gl.NEAREST), ''  # moderngl's default compares depths
 gl.framebuffer(depth_attachment=depth).use()
 gl.clear(depth=1.0)
 gl.enable_only(gl.DEPTH_TEST)
@@ -59,7 +59,7 @@ def text(desc, stage):
 
 
 chain, view, frame = c.new('ssgi_gl_chain *'), c.new('ssgi_view *'), c.new('ssgi_gl_frame *')
-setattr(chain.desc, 'pass', ssgi.SSGI_GL_PASS_HSAO)  # a word of Python's
+setattr(chain.desc, 'pass', ssgi.SSGI_GL_PASS_HSAO)  # pass is a keyword of Python
 chain.desc.input.normal = ssgi.SSGI_GL_NORMAL_FROM_DEPTH
 chain.width, chain.height, chain.blur = WIDTH, HEIGHT, 1
 right(ssgi.ssgi_gl_preset(c.addressof(chain.desc), ssgi.SSGI_GL_PRESET_BALANCED, why) == ssgi.SSGI_OK)
@@ -86,7 +86,7 @@ for step in steps:
         program[c.string(of.name).decode()].value = of.unit
         (yours[of.meaning] if of.texture < 0 else textures[of.texture]).use(of.unit)
     target = gl.framebuffer([textures[to.texture] for to in step.output[0:step.outputs]])
-    target.use()  # its viewport is all of it
+    target.use()  # its viewport is the whole target
     gl.vertex_array(program, []).render(step.primitive, vertices=step.vertices, instances=step.instances)
 # ======================================================================================================================
 

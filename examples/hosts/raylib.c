@@ -1,9 +1,10 @@
-/* raylib.c - ambient occlusion in raylib 5 or 6, by its own depth: 24 boxes on a slab, in even light. Between the lines
-   of "====" stands what ssgi needs; (1) to (4) are traps of this engine. Debian, from trixie on: libraylib-dev.
-      cc examples/hosts/raylib.c -lraylib -lGL -lm -o raylib && ./raylib
-   ./raylib FILE.png: one picture, after the window has changed its size. What shall not be dimmed (interface, glass,
-   weapons in hands) is drawn after occlude(), into the same target or onto the screen. */
-#define GL_GLEXT_PROTOTYPES /* (1) rlgl has no uniform buffers and few formats: GL itself is asked */
+/* raylib.c - ambient occlusion in raylib 5 or 6, from its depth: 24 boxes on a slab, in uniform light. The code that
+   ssgi needs is between the lines of "===="; (1) to (4) are traps of this engine. Debian, from trixie on:
+   libraylib-dev.
+     cc examples/hosts/raylib.c -lraylib -lGL -lm -o raylib && ./raylib
+   ./raylib FILE.png: one picture, after a change of the window's size. Things that must not be dimmed (interface,
+   glass, the player's weapon) are drawn after occlude(), into the same target or onto the screen. */
+#define GL_GLEXT_PROTOTYPES /* (1) rlgl has no uniform buffers and few formats, so GL is called directly */
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <raylib.h>
@@ -14,7 +15,7 @@
 #define SSGI_GL_IMPLEMENTATION
 #include "../../ssgi_gl.h"
 
-/* (2) LoadRenderTexture's depth is a renderbuffer: here it is a texture. */
+/* (2) LoadRenderTexture makes depth a renderbuffer, which shaders cannot read; this makes it a texture. */
 static RenderTexture2D load_target(int width, int height)
 {
     RenderTexture2D target = { .id = rlLoadFramebuffer() };
@@ -32,7 +33,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint program[MOST], framebuffer[MOST], texture[MOST], block, array;
 
-/* When the size changes. picture: a texture of encoded values, which the last step multiplies. */
+/* Call it when the size changes. picture: a texture of sRGB-encoded values, which the last step multiplies. */
 static const char *resize(GLuint picture, int width, int height)
 {
     static char text[2][32768];
@@ -49,7 +50,7 @@ static const char *resize(GLuint picture, int width, int height)
         glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     }
     for (int i = 0; i < steps; ++i) {
-        const ssgi_gl_output *to = step[i].output; /* of hsao one each; its texture -1: the picture */
+        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one each; texture -1: the picture */
         const GLuint into = to->texture < 0 ? picture : texture[to->texture];
         glBindTexture(GL_TEXTURE_2D, into);
         if (to->texture >= 0) {
@@ -71,7 +72,7 @@ static const char *resize(GLuint picture, int width, int height)
     return NULL;
 }
 
-/* Every frame, with the projection that depth was drawn with: rlGetMatrixProjection() within BeginMode3D. */
+/* Call it every frame, with the projection that depth was drawn with: rlGetMatrixProjection() within BeginMode3D. */
 static const char *occlude(GLuint depth, Matrix projection, float radius, int width, int height)
 {
     ssgi_view view;
@@ -79,13 +80,13 @@ static const char *occlude(GLuint depth, Matrix projection, float radius, int wi
     const char *why = "";
     if (ssgi_view_from_projection(&view, MatrixToFloat(projection), SSGI_CLIP_GL, width, height, &why)) return why;
     if (ssgi_gl_frame_init(&frame, &view, radius, &why)) return why;
-    rlDrawRenderBatchActive(); /* (3) what raylib has not drawn yet comes first */
+    rlDrawRenderBatchActive(); /* (3) draws raylib's pending batch first */
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);
     glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_DYNAMIC_DRAW);
     glBindVertexArray(array);
     glDisable(GL_DEPTH_TEST), glDisable(GL_CULL_FACE), glDisable(GL_BLEND);
     for (const ssgi_gl_step *s = step; s < step + steps; ++s) {
-        for (const ssgi_gl_input *in = s->input; in < s->input + s->inputs; ++in) { /* depth is all that is raylib's */
+        for (const ssgi_gl_input *in = s->input; in < s->input + s->inputs; ++in) { /* only depth is raylib's */
             glActiveTexture(GL_TEXTURE0 + (GLenum)in->unit);
             glBindTexture(in->target, in->texture < 0 ? depth : texture[in->texture]);
         }
@@ -93,7 +94,7 @@ static const char *occlude(GLuint depth, Matrix projection, float radius, int wi
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[s - step]), glViewport(0, 0, s->width, s->height);
         glUseProgram(program[s - step]), glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances);
     }
-    /* (4) rlgl believes that all is as it left it */
+    /* (4) rlgl caches GL's state, so it must be restored */
     glBindVertexArray(0), glUseProgram(0), glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glActiveTexture(GL_TEXTURE0), glEnable(GL_BLEND), glEnable(GL_CULL_FACE);
     glBlendEquation(GL_FUNC_ADD), glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

@@ -1,8 +1,8 @@
-/* sdl.c - ambient occlusion in a window: SDL 2, GLES 3.0. boxes.h is the engine: it draws a picture, the part of it
-   that is ambient light, and depth. Between the lines of "====" ssgi dims that part; normals it takes from depth.
-      cc examples/hosts/sdl.c -lSDL2 -lGLESv2 -lm -o sdl && ./sdl            (Debian: libsdl2-dev libgles-dev)
-   What is drawn between occlude and boxes_show (fog, glass, sprites) is not dimmed; TAA comes last.
-   ./sdl FILE.ppm [SUN SKY]: one picture, with lights so bright, after the window has changed its size. */
+/* sdl.c - ambient occlusion in a window: SDL 2, GLES 3.0. boxes.h is the engine: it draws a picture, its ambient part,
+   and depth. Between the lines of "====" ssgi dims the ambient part; it derives normals from depth.
+     cc examples/hosts/sdl.c -lSDL2 -lGLESv2 -lm -o sdl && ./sdl            (Debian: libsdl2-dev libgles-dev)
+   Things drawn between occlude and boxes_show (fog, glass, sprites) are not dimmed; TAA comes last. ./sdl FILE.ppm [SUN
+   SKY]: one picture, after a change of the window's size; SUN and SKY: the lights' strength. */
 #include <GLES3/gl3.h>
 #include <SDL2/SDL.h>
 #include "boxes.h"
@@ -16,7 +16,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint program[MOST], framebuffer[MOST], texture[MOST], block, yours[SSGI_GL_YOURS];
 
-/* When the size changes: asks for the steps and makes what they draw into. Programs are the same for every size. */
+/* Call it when the size changes: gets the steps and makes their targets. Programs do not depend on the size. */
 static const char *resize(int width, int height)
 {
     static char text[2][32768];
@@ -31,14 +31,14 @@ static const char *resize(int width, int height)
     if (steps > MOST) return "the chain has more steps than SSGI_GL_MAX_STEPS";
     if (!block) glGenBuffers(1, &block), glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     for (int i = 0; i < steps; ++i) {
-        const ssgi_gl_output *to = step[i].output; /* of hsao one each; its texture -1: the picture */
+        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one each; texture -1: the picture */
         const GLuint into = to->texture < 0 ? boxes_texture[BOXES_PICTURE] : texture[to->texture];
         glBindTexture(GL_TEXTURE_2D, into);
         if (to->texture >= 0)
             glTexImage2D(GL_TEXTURE_2D, 0, (GLint)to->format->internal, step[i].width, step[i].height, 0,
                          to->format->format, to->format->type, NULL);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* integers read 0 without this, too */
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* or integer textures read 0 */
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, into, 0);
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return "no 16-bit float targets";
@@ -52,7 +52,7 @@ static const char *resize(int width, int height)
     return NULL;
 }
 
-/* Every frame, with the projection that depth was drawn with. The radius: how far away what occludes may be. */
+/* Call it every frame, with the projection of depth. radius: the distance of the farthest occluders. */
 static const char *occlude(const float projection[16], float radius, int width, int height)
 {
     ssgi_view view;

@@ -1,9 +1,9 @@
-/* vtk.cpp - ambient occlusion in VTK 9, by the pass of vtkSSGIPass.h, beside VTK's own. All light is ambient here and
-   all is white, so that the picture is the occlusion. Debian: libvtk9-dev, whose number stands in these names.
-      c++ -std=c++17 examples/hosts/vtk.cpp -I/usr/include/vtk-9.1 -lvtkRenderingOpenGL2-9.1 -lvtkRenderingCore-9.1 \
-      -lvtkIOGeometry-9.1 -lvtkIOImage-9.1 -lvtkFiltersSources-9.1 -lvtkCommonExecutionModel-9.1 \
-      -lvtkCommonDataModel-9.1 -lvtkCommonMath-9.1 -lvtkCommonCore-9.1 -lvtksys-9.1 -lGL -o vtk && \
-      ./vtk MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT      writes OUT.png, OUT-own.png (vtkSSAOPass), OUT-pane.png, times */
+/* vtk.cpp - ambient occlusion in VTK 9 by the pass of vtkSSGIPass.h, beside VTK's own. All surfaces are white and all
+   light is ambient, so the picture is the occlusion. Debian: libvtk9-dev; its version is part of these names.
+     c++ -std=c++17 examples/hosts/vtk.cpp -I/usr/include/vtk-9.1 -lvtkRenderingOpenGL2-9.1 -lvtkRenderingCore-9.1 \
+     -lvtkIOGeometry-9.1 -lvtkIOImage-9.1 -lvtkFiltersSources-9.1 -lvtkCommonExecutionModel-9.1 \
+     -lvtkCommonDataModel-9.1 -lvtkCommonMath-9.1 -lvtkCommonCore-9.1 -lvtksys-9.1 -lGL -o vtk && \
+     ./vtk MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT      writes OUT.png, OUT-own.png (vtkSSAOPass), OUT-pane.png, times */
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #include "vtkSSGIPass.h"
@@ -36,7 +36,7 @@ static void save(vtkRenderWindow *window, const std::string &path)
     file->Write();
 }
 
-/* Milliseconds of a frame: the median of nine. */
+/* Milliseconds of a frame: the median of nine frames. */
 static double timed(vtkRenderWindow *window)
 {
     std::vector<double> ms;
@@ -85,7 +85,7 @@ int main(int argc, char **argv)
     ssgi->SetDelegatePass(steps);
     ssgi->SetRadius(radius);
     renderer->SetPass(ssgi);
-    /* Once at another size: the pass makes its textures anew. */
+    /* First at another size, so that the pass makes its textures twice. */
     window->SetSize(800, 450);
     window->Render();
     window->SetSize(960, 540);
@@ -104,7 +104,7 @@ int main(int argc, char **argv)
     save(window, out + "-own.png");
     std::printf("%.0f ms a frame; hsao-fast %.0f, hsao %.0f, vtkSSAOPass %.0f\n", plain, fast, ours, theirs);
 
-    /* A translucent pane after occlusion: in front of all, half of its green over the picture. */
+    /* A translucent pane, drawn after occlusion in front of everything: half green over the picture. */
     vtkNew<vtkPlaneSource> plane;
     vtkNew<vtkOpaquePass> opaque;
     plane->SetOrigin(-1.5, 0.5, 3), plane->SetPoint1(1.5, 0.5, 3), plane->SetPoint2(-1.5, 3.5, 3);

@@ -1,21 +1,21 @@
-/* vtkSSGIPass.h - a pass for VTK 9 that stands where vtkSSAOPass stands: ambient visibility of hsao, from depth alone,
-   by which the picture is multiplied. A program is vtk.cpp. Define SSGI_IMPLEMENTATION and SSGI_GL_IMPLEMENTATION
-   before it in one file. Include it from where it lies, for it includes ../../ssgi_gl.h. It calls GL itself, so link
-   that besides VTK's modules: CMake's find_package(OpenGL) and OpenGL::GL, or -lGL.
+/* vtkSSGIPass.h - a pass for VTK 9 in the place of vtkSSAOPass: it multiplies the picture by hsao's ambient visibility,
+   from depth alone. vtk.cpp is a program that uses it. In one file, define SSGI_IMPLEMENTATION and
+   SSGI_GL_IMPLEMENTATION before you include it. Include it from its folder, because it includes ../../ssgi_gl.h. It
+   calls GL itself, so link GL in addition to VTK's modules: CMake's find_package(OpenGL) and OpenGL::GL, or -lGL.
 
-      vtkNew<vtkRenderStepsPass> steps;
-      vtkNew<vtkSSGIPass> ssgi;
-      ssgi->SetDelegatePass(steps);                 // all is dimmed, as vtkSSAOPass does it, or ..
-      renderer->SetPass(ssgi);
+     vtkNew<vtkRenderStepsPass> steps;
+     vtkNew<vtkSSGIPass> ssgi;
+     ssgi->SetDelegatePass(steps);                 // dims everything, as vtkSSAOPass does, or ..
+     renderer->SetPass(ssgi);
 
-      vtkNew<vtkOpaquePass> opaque;
-      ssgi->SetDelegatePass(opaque);                // .. what is opaque: translucent things and volumes come after it
-      steps->SetOpaquePass(ssgi);
-      renderer->SetPass(steps);
+     vtkNew<vtkOpaquePass> opaque;
+     ssgi->SetDelegatePass(opaque);                // .. opaque things: translucent things and volumes come after it
+     steps->SetOpaquePass(ssgi);
+     renderer->SetPass(steps);
 
-   SetRadius is in units of the scene; a tenth of its diagonal is a start. Depth has one sample a pixel here, so edges
-   are as with SetMultiSamples(0); FXAA smooths them. What an engine must do for ssgi stands between the lines of
-   "===="; (1) to (3) are what VTK asks of whoever draws by GL itself. */
+   SetRadius is in units of the scene; begin with a tenth of its diagonal. Depth has one sample a pixel here, so edges
+   are as with SetMultiSamples(0); FXAA smooths them. The code that ssgi needs in any engine is between the lines of
+   "===="; (1) to (3) are rules of VTK for code that calls GL itself. */
 #ifndef vtkSSGIPass_h
 #define vtkSSGIPass_h
 #define GL_GLEXT_PROTOTYPES
@@ -47,7 +47,7 @@ public:
     }
     vtkGetMacro(Radius, double);
     vtkSetMacro(Radius, double);
-    vtkGetMacro(Strength, double);      /* 1: as it is; a scientist may want more */
+    vtkGetMacro(Strength, double);      /* 1: the computed visibility; more exaggerates it */
     vtkSetMacro(Strength, double);
     vtkGetMacro(Preset, int);
     void SetPreset(int preset)          /* SSGI_GL_PRESET_FAST, _BALANCED, _BEST */
@@ -69,7 +69,8 @@ public:
         state->vtkglGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &into);
         if (s->GetFrameBuffer()) x = y = 0;
         if (width < 1 || height < 1) return;
-        /* (1) Bindings, viewport, tests and blending go through VTK's copy of GL's state, so that it stays right. */
+        /* (1) Bindings, viewport, tests and blending are set through VTK's copy of GL's state, so that it stays
+           correct. */
         vtkOpenGLState::ScopedglViewport viewport(state);
         vtkOpenGLState::ScopedglBlendFuncSeparate blend(state);
         vtkOpenGLState::ScopedglDepthFunc depth(state);
@@ -88,7 +89,7 @@ public:
         state->PopFramebufferBindings();
         state->vtkglActiveTexture(GL_TEXTURE0);
         glBindVertexArray(0);
-        window->GetShaderCache()->ReleaseCurrentShader();   /* (2) it believes that its last program is in use */
+        window->GetShaderCache()->ReleaseCurrentShader();   /* (2) VTK assumes that its last program is in use */
     }
 
     void ReleaseGraphicsResources(vtkWindow *w) override
@@ -115,7 +116,7 @@ private:
     vtkNew<vtkTextureObject> Colour, Depth;
     vtkNew<vtkOpenGLFramebufferObject> Drawn;
 
-    /* The picture so far is what the delegate draws over, unless it clears it: a vtkOpaquePass does not. */
+    /* The delegate draws over the present picture, unless it clears it: a vtkOpaquePass does not. */
     void RenderDelegate(const vtkRenderState *s, vtkOpenGLState *state, GLuint into, int x, int y, int width,
                         int height)
     {
@@ -159,7 +160,7 @@ private:
     {
         Drawn->SetContext(window);
         if (width == Width && height == Height) return;
-        /* A framebuffer object keeps what is attached to it: the textures' old names, unless it is made anew. */
+        /* A framebuffer object keeps its attachments, the old textures' names, unless it is made anew. */
         Drawn->ReleaseGraphicsResources(window);
         Drawn->SetContext(window);
         for (vtkTextureObject *one : { Colour.Get(), Depth.Get() }) {
@@ -204,11 +205,11 @@ private:
             for (int i = 0; i < 3; ++i) glUniform1i(glGetUniformLocation(Combined, names[i]), i);
         }
         for (int i = 0; i < Steps; ++i) {
-            const ssgi_gl_output &to = Step[i].output[0];       /* of hsao one each */
+            const ssgi_gl_output &to = Step[i].output[0];       /* hsao's steps have one each */
             glBindTexture(GL_TEXTURE_2D, Texture[to.texture]);
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), Step[i].width, Step[i].height, 0,
                          to.format->format, to.format->type, nullptr);
-            if (Compiled) continue;                             /* programs are the same for every size */
+            if (Compiled) continue;                             /* programs do not depend on the size */
             for (int k = 0; k < 2; ++k) {
                 const size_t length = ssgi_gl_emit(nullptr, 0, &Step[i].desc, k);
                 text[k].resize(length + 1);
@@ -233,7 +234,7 @@ private:
         float projection[16];
         const char *why = "";
         camera->GetKeyMatrices(renderer, toWorld, normals, toClip, all);
-        for (int i = 0; i < 16; ++i) projection[i] = float(toClip->GetData()[i]);   /* VTK keeps it as GL reads it */
+        for (int i = 0; i < 16; ++i) projection[i] = float(toClip->GetData()[i]);   /* VTK stores it in GL's order */
         if (Orthographic != camera->GetParallelProjection()) {
             Orthographic = camera->GetParallelProjection();
             Steps = Compiled = 0;
@@ -246,7 +247,7 @@ private:
         glBindVertexArray(Array);
         for (int i = 0; i < Steps; ++i) {
             const GLuint to = Texture[Step[i].output[0].texture];
-            for (int k = 0; k < Step[i].inputs; ++k) {          /* with this desc depth is all that is VTK's */
+            for (int k = 0; k < Step[i].inputs; ++k) {          /* with this desc, depth is VTK's only texture */
                 const ssgi_gl_input &in = Step[i].input[k];
                 Bind(state, GLuint(in.unit), in.texture < 0 ? Depth->GetHandle() : Texture[in.texture]);
             }
@@ -260,7 +261,7 @@ private:
     }
     /* ============================================================================================================== */
 
-    /* (3) vtkTextureObject sets its filters when VTK binds it: bound by hand they are set here. */
+    /* (3) VTK sets a vtkTextureObject's filters when it binds it; bound by GL, they are set here. */
     static void Bind(vtkOpenGLState *state, GLuint unit, GLuint texture)
     {
         state->vtkglActiveTexture(GL_TEXTURE0 + unit);
@@ -277,7 +278,7 @@ private:
         for (GLuint i = 0; i < 3; ++i) Bind(state, i, textures[i]);
         state->vtkglBindFramebuffer(GL_FRAMEBUFFER, into);
         state->vtkglViewport(x, y, width, height);
-        state->vtkglEnable(GL_DEPTH_TEST);                  /* depth is written where it is tested */
+        state->vtkglEnable(GL_DEPTH_TEST);                  /* GL only writes depth while it tests depth */
         state->vtkglDepthFunc(GL_ALWAYS);
         state->vtkglDepthMask(GL_TRUE);
         glUseProgram(Combined);

@@ -1,7 +1,8 @@
 /* vulkan.cpp - ambient visibility of a saved G-buffer by Vulkan, from the manifest and the SPIR-V of build/glsl-text.
-   Any chain of triangles is drawn so. vulkan_engine.hpp is what an engine has; the kit reads and writes pictures.
-      build/glsl-text --chain hsao,depth=LINEAR --spv DIR    and    build/render SCENE --save-gbuffer FRAME.exr
-      build/vulkan DIR FRAME.exr FOVY RADIUS OUT.exr|OUT.png [validate] */
+   It draws any chain whose steps are triangles. vulkan_engine.hpp stands for the engine; the kit reads and writes
+   pictures.
+     build/glsl-text --chain hsao,depth=LINEAR --spv DIR    and    build/render SCENE --save-gbuffer FRAME.exr
+     build/vulkan DIR FRAME.exr FOVY RADIUS OUT.exr|OUT.png [validate] */
 #include <nlohmann/json.hpp>
 #include "vulkan_engine.hpp"
 using nlohmann::json;
@@ -10,26 +11,26 @@ struct step {
     json is; /* in the manifest */
     vk::raii::Pipeline pipeline = nullptr;
     uint32_t width = 0, height = 0, instances = 0;
-    /* set by who draws: an image for each input that is yours; ssgi_gl_frame; of pass dss ssgi_surfel[] */
+    /* set by the caller: an image for each input that is yours; ssgi_gl_frame; for pass dss ssgi_surfel[] */
     std::vector<image *> yours;
     vk::Buffer frame, surfels;
 };
 
 struct chain {
     json is;
-    std::vector<std::vector<image>> textures; /* of a kept one two: this frame's, the last one's */
+    std::vector<std::vector<image>> textures; /* a kept texture is two: this frame's, the last frame's */
     std::vector<step> steps;
 };
 
-/* A step's textures and program. */
+/* Makes a step's textures and program. */
 static step step_of(gpu &g, const std::string &folder, const json &manifest, chain &c, const json &is, int width,
                     int height, const vk::SpecializationInfo *constants)
 {
     int size[2] = { width, height };
-    if (is["size"] == "HALF") size[0] = (width + 1) / 2, size[1] = (height + 1) / 2;
-    if (is["size"] == "QUARTER") size[0] = (width + 3) / 4, size[1] = (height + 3) / 4;
-    if (is["size"] == "TILES") size[0] = (width + 7) / 8, size[1] = (height + 7) / 8;
-    if (is["size"] == "LEVELS") {
+    if (is["scale"] == "HALF") size[0] = (width + 1) / 2, size[1] = (height + 1) / 2;
+    if (is["scale"] == "QUARTER") size[0] = (width + 3) / 4, size[1] = (height + 3) / 4;
+    if (is["scale"] == "TILES") size[0] = (width + 7) / 8, size[1] = (height + 7) / 8;
+    if (is["scale"] == "LEVELS") {
         const int levels = c.is["chain"]["desc"].value("levels", manifest["defaults"]["dss"]["levels"].get<int>());
         const auto gathered = c.is["chain"]["desc"].value("resolution", std::string());
         const int part = gathered.empty() ? 1 : gathered[0] == 'Q' ? 4 : 2;
@@ -55,13 +56,13 @@ static step step_of(gpu &g, const std::string &folder, const json &manifest, cha
         const json &t = c.is["textures"][o["texture"].get<size_t>()];
         std::vector<image> &made = c.textures[o["texture"]];
         p.targets.push_back(manifest["formats"][t["format"].get<size_t>()]["vulkan_number"].get<vk::Format>());
-        while (made.size() <= t["kept"]) made.push_back(g.image_of(p.targets.back(), s.width, s.height, t["slices"]));
+        while (made.size() <= t["kept"]) made.push_back(g.image_of(p.targets.back(), s.width, s.height, t["layers"]));
     }
     s.pipeline = g.pipeline_of(p);
     return s;
 }
 
-/* The manifest's first chain, for an image of that size. constants: other counts than its texts have. */
+/* Makes the manifest's first chain for an image of that size. constants: replace the counts in its shaders. */
 static chain chain_of(gpu &g, const std::string &folder, int width, int height, const vk::SpecializationInfo *constants)
 {
     const json manifest = json::parse(file_of(folder + "/manifest.json"));
@@ -88,7 +89,7 @@ static void draw_step(gpu &g, chain &c, step &s)
         for (size_t k = 0; k < written.size(); ++k) {
             const json &o = s.is["outputs"][k];
             const image &i = c.textures[o["texture"]].front();
-            written[k] = vk::DescriptorImageInfo({}, *i.slice[o["slice"]], vk::ImageLayout::eGeneral);
+            written[k] = vk::DescriptorImageInfo({}, *i.slice[o["layer"]], vk::ImageLayout::eGeneral);
             set.push_back({ {}, o["binding"], 0, vk::DescriptorType::eStorageImage, written[k] });
         }
         const uint32_t group[2] = { s.is["group"][0], s.is["group"][1] };
@@ -103,7 +104,7 @@ static void draw_step(gpu &g, chain &c, step &s)
     target.loadOp = s.is["clear"].is_null() ? vk::AttachmentLoadOp::eLoad : vk::AttachmentLoadOp::eClear;
     if (!s.is["clear"].is_null()) target.clearValue.color.float32.fill(s.is["clear"]);
     for (const json &o : s.is["outputs"]) {
-        target.imageView = *c.textures[o["texture"]].front().slice[o["slice"]];
+        target.imageView = *c.textures[o["texture"]].front().slice[o["layer"]];
         targets.push_back(target);
     }
     g.barrier();
@@ -123,7 +124,8 @@ static void draw(gpu &g, chain &c)
     });
 }
 
-/* Rows from the bottom, as GL's, so that noise is build/render's; with yours from the top give a projection, y down. */
+/* Rows run from the bottom, as in GL, so that the noise is build/render's. If yours run from the top, give a projection
+   with y down. */
 static void picture(gpu &g, const char *folder, const kit_image &frame, double fovy, float radius, const char *out)
 {
     const float f = (float)(1 / tan(fovy * KIT_PI / 360)), wide = (float)frame.width / (float)frame.height;

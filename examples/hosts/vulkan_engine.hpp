@@ -1,6 +1,6 @@
-/* vulkan_engine.hpp - what an engine has before ssgi comes, for vulkan.cpp: Vulkan 1.3 without a window, its images,
-   buffers and programs, each as plain as it can be; a G-buffer and where pictures go, by the kit. Every image is
-   GENERAL always; whoever submits waits. */
+/* vulkan_engine.hpp - the engine of vulkan.cpp, without ssgi: Vulkan 1.3 without a window, images, buffers and
+   programs, each as simple as possible; by the kit, a G-buffer and the output of pictures. Every image always has
+   layout GENERAL, and each submit waits. */
 #ifndef VULKAN_ENGINE_HPP
 #define VULKAN_ENGINE_HPP
 
@@ -13,7 +13,7 @@ extern "C" {
 #include "ssgi_gl.h"
 }
 
-/* Throws what is wrong unless all went well. By reference: what was called has set it by now. */
+/* Throws why unless good. why is a reference, because the call that computes good sets it. */
 static inline void must(bool good, const char *const &why)
 {
     if (!good) throw std::runtime_error(why);
@@ -29,7 +29,7 @@ static inline std::string file_of(const std::string &path)
     return data;
 }
 
-struct image {                                              /* slice: to draw into one */
+struct image {                                              /* slice: views to draw into one slice */
     vk::raii::Image image = nullptr;
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::ImageView view = nullptr;
@@ -38,7 +38,7 @@ struct image {                                              /* slice: to draw in
     uint32_t width, height, slices;
 };
 
-struct buffer {                                             /* mapped as long as it lives */
+struct buffer {                                             /* always mapped */
     vk::raii::Buffer buffer = nullptr;
     vk::raii::DeviceMemory memory = nullptr;
     void *data;
@@ -46,8 +46,8 @@ struct buffer {                                             /* mapped as long as
 
 struct program {
     std::string vertex, fragment, compute;                  /* files of SPIR-V: the last alone, or the first two */
-    const vk::SpecializationInfo *constants;                /* NULL: those of the texts */
-    uint32_t attributes;                                    /* vec4s an instance, one after another */
+    const vk::SpecializationInfo *constants;                /* NULL: those in the shaders */
+    uint32_t attributes;                                    /* vec4s an instance, consecutive */
     bool blends;
     vk::BlendOp equation;
     vk::BlendFactor source, destination;
@@ -73,14 +73,15 @@ struct gpu {
     vk::raii::Queue queue = nullptr;
     vk::raii::CommandPool pool = nullptr;
     vk::raii::CommandBuffer commands = nullptr;
-    /* for all: blocks from 0 on, then textures, then storage images, in set `set`; sets before it have none */
+    /* for all programs: blocks from 0 on, then textures, then storage images, in set `set`; the sets before it are
+       empty */
     vk::raii::DescriptorSetLayout bindings = nullptr, nothing = nullptr;
     vk::raii::PipelineLayout layout = nullptr;
     uint32_t set;
     bool computes;
 
-    /* The first device. blocks: how many bindings come before those of textures. computes: programs are compute stages,
-       which store into images. */
+    /* Opens the first device. blocks: the number of bindings before those of textures. computes: programs are compute
+       stages, which store into images. */
     explicit gpu(bool validate, uint32_t set_ = 0, uint32_t blocks = 2, bool computes_ = false)
         : set(set_), computes(computes_)
     {
@@ -121,7 +122,7 @@ struct gpu {
         layout = { device, { {}, sets } };
     }
 
-    /* What was written is there for all that follows. */
+    /* Makes all writes visible to all later commands. */
     void barrier()
     {
         using stage = vk::PipelineStageFlagBits;
@@ -164,7 +165,7 @@ struct gpu {
         return b;
     }
 
-    /* All 0. layers 0: 2D; else an array of so many, be it one. */
+    /* An image, all 0. layers 0: 2D; else an array of that many layers, perhaps one. */
     image image_of(vk::Format format, uint32_t width, uint32_t height, uint32_t layers)
     {
         using use = vk::ImageUsageFlagBits;
@@ -190,7 +191,7 @@ struct gpu {
         return i;
     }
 
-    /* All texels, into the image or out of it. */
+    /* Copies all texels into the image or out of it. */
     void copy(image &i, void *texels, size_t size, bool in)
     {
         const buffer b = buffer_of(size, in ? texels : nullptr);
@@ -209,7 +210,7 @@ struct gpu {
         return { device, { {}, code.size(), (const uint32_t *)(const void *)code.data() } };
     }
 
-    /* A compute stage, or triangles over the whole viewport. */
+    /* A pipeline with a compute stage, or one that draws triangles over the whole viewport. */
     vk::raii::Pipeline pipeline_of(const program &p)
     {
         if (!p.compute.empty()) {
@@ -260,7 +261,7 @@ struct saved_frame {
     saved_frame(const saved_frame &) = delete;
 };
 
-/* Channels of a saved frame ("": 0), the last row first, as GL has them. */
+/* An image of a saved frame's channels ("": 0), the last row first, as in GL. */
 static inline image image_of(gpu &g, const kit_image &frame, vk::Format format, const std::vector<const char *> &names)
 {
     const size_t width = (size_t)frame.width, pixels = width * (size_t)frame.height, n = names.size();
@@ -276,7 +277,7 @@ static inline image image_of(gpu &g, const kit_image &frame, vk::Format format, 
     return i;
 }
 
-/* The same way back, of one channel of bytes or floats, into a .png or .exr. */
+/* Writes an image of one channel, bytes or floats, to a .png or .exr; the inverse. */
 static inline void write(gpu &g, image &i, const std::string &path)
 {
     const size_t width = i.width, pixels = width * i.height;

@@ -1,4 +1,4 @@
-/* hdr.c - Radiance's .hdr in, through stb. Declared in kit.h. */
+/* hdr.c - reads Radiance's .hdr by stb. Declared in kit.h. */
 #include "kit/kit_image.h"
 #include <math.h>
 #include <stdio.h>
@@ -6,8 +6,8 @@
 #include <string.h>
 #include <stb/stb_image.h>
 
-/* stb takes zeros for what a file lacks, and would read them for ever where a run is due. So the pixels' bytes beyond
-   the end are 255, runs that fill a row soon; that the end was reached is an error then. */
+/* At the end of a file stb reads zeros, and as run lengths it would read these for ever. So pixel bytes beyond the end
+   are 255, a run that soon fills a row. That the end was reached is then an error. */
 typedef struct hdr_source { FILE *file; int pixels, ended; } hdr_source;
 
 static int hdr_more(void *user, char *data, int size)
@@ -26,7 +26,7 @@ static int hdr_ended(void *user) { return ((hdr_source *)user)->ended; }
 
 static const stbi_io_callbacks hdr_calls = { hdr_more, hdr_skip, hdr_ended };
 
-/* The fewest bytes of a row: runs are of 127 at most, in two bytes. */
+/* The least number of bytes of a row: a run has at most 127 values, in two bytes. */
 static double hdr_fewest(int width)
 {
     const int coded = width >= 8 && width < 32768;

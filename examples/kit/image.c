@@ -1,4 +1,4 @@
-/* image.c - float pictures: made, and their channels found. exr.c, hdr.c and png.c read and write them, score.c
+/* image.c - float pictures: makes them and finds their channels. exr.c, hdr.c and png.c read and write them, score.c
    compares them. */
 #include "kit/kit_image.h"
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Installs the Debian packages that examples and tests need: as root or through sudo; otherwise says which are missing.
-# Of contexts without a window one is enough: OSMesa's, or EGL's with Mesa's rasteriser where OSMesa cannot be had (Mesa
-# dropped it in 25.1).
+# Installs the Debian packages that examples and tests need, as root or by sudo; else it lists the missing packages. One
+# kind of context without a window suffices: OSMesa's or, where that is missing (Mesa dropped it in 25.1), EGL's with
+# Mesa's rasteriser.
 need="gcc make pkg-config libopenexr-dev libstb-dev glslang-tools glmark2-data"
 lacking() {
     for p in "$@"; do

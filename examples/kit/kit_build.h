@@ -1,28 +1,28 @@
-/* kit_build.h - what shapes.c, parts.c, buildings.c, thin.c, solids.c, scenes.c, scene.c and kit_seed.h's share: scenes
-   being built. Private to them. */
+/* kit_build.h - shared by shapes.c, parts.c, buildings.c, thin.c, solids.c, scenes.c, scene.c and kit_seed.h: scenes
+   while they are built. Private to them. */
 #ifndef KIT_BUILD_H
 #define KIT_BUILD_H
 
 #include "kit/kit.h"
 
-/* ---- >>shapes: all in local coordinates that at and turn place in the world ---------------------------------- */
+/* ---- >>shapes: all in local coordinates, which at and turn place in the world -------------------------------- */
 
-/* A place that what is built stands in: scaled, turned by a matrix, then moved. scale 0: the world. */
+/* Local coordinates in which shapes are built: scaled, turned by a matrix, then moved. scale 0: the world's. */
 typedef struct kit_frame { double at[3], turn[3][3], scale; } kit_frame;
 
 typedef struct kit_build {
     kit_scene scene;
     size_t   capacity;                     /* triangles */
-    uint32_t object;                       /* number of the one being built */
+    uint32_t object;                       /* number of the object that is being built */
     int      failed;                       /* out of memory */
     double   at[3], turn, tilt;            /* turned by tilt degrees about x, then by turn about y, then moved by at */
-    kit_frame frame;                       /* and all that by it */
+    kit_frame frame;                       /* the outer coordinates, applied after that */
     float    albedo[3];
     uint32_t random;
 } kit_build;
 
 typedef struct kit_vertex { double p[3], n[3]; } kit_vertex;
-/* One moulding of a turned profile, from (r0, y0) upwards to (r1, y1), swelling outwards by bulge in its middle. */
+/* One moulding of a turned profile, from (r0, y0) up to (r1, y1), which swells outwards by bulge at its middle. */
 typedef struct kit_moulding { double r0, y0, r1, y1, bulge; } kit_moulding;
 
 void   kit_colour(kit_build *b, double r, double g, double blue);
@@ -31,75 +31,73 @@ void   kit_place_tilted(kit_build *b, double x, double y, double z, double turn,
 double kit_chance(kit_build *b);           /* [0, 1), the same on every machine */
 double kit_between(kit_build *b, double low, double high);
 void   kit_rotate(const kit_build *b, const double in[3], double out[3]);
-void   kit_pose(const kit_build *b, const float from[16], float to[16]);     /* from, turned and moved by b */
+void   kit_pose(const kit_build *b, const float from[16], float to[16]);     /* from, moved as b's shapes are */
 
-/* What is built between enter and leave, with places of its own, stands in a frame, which may nest: scaled, turned by
-   degrees about y, tilted about x before that, then moved; enter gives what leave takes. Both set the place back to the
-   origin. */
+/* Shapes built between enter and leave stand in coordinates of their own: scaled, tilted about x, turned by degrees
+   about y, then moved. These may nest. enter returns leave's argument. Both set at, turn and tilt back to 0. */
 kit_frame kit_enter(kit_build *b, double x, double y, double z, double turn, double size);
 kit_frame kit_enter_tilted(kit_build *b, const double at[3], double turn, double tilt, double size);
 void   kit_leave(kit_build *b, kit_frame before);
 
-/* wound to agree with the vertices' normals; nothing when it has no area */
+/* wound to agree with the vertices' normals; a triangle without area is not added */
 void   kit_triangle(kit_build *b, const kit_vertex *v0, const kit_vertex *v1, const kit_vertex *v2);
 /* flat, its front where the corners run counter-clockwise */
 void   kit_quad(kit_build *b, const double corner[4][3]);
 void   kit_box(kit_build *b, double x0, double y0, double z0, double x1, double y1, double z1);
 /* horizontal rectangle, seen from above */
 void   kit_level(kit_build *b, double x0, double z0, double x1, double z1, double y);
-/* a flat quad from corner 0 (u = v = 0) by corner 1 (u = 1) to corner 2 (u = v = 1), cut at the given u and v */
+/* a flat quad with u = v = 0 at corner 0, u = 1 at corner 1 and u = v = 1 at corner 2, cut at the given u and v */
 void   kit_sheet(kit_build *b, const double c[4][3], const double *u, int nu, const double *v, int nv);
 #define KIT_CUTS(a) a, (int)(sizeof a / sizeof *a) - 1
-/* where big planes are cut: finer towards their middle, for a rasteriser's sake */
+/* parameters at which big planes are cut: finer towards their middle, so that a rasteriser interpolates precisely */
 static const double kit_both[] = { 0, 0.35, 0.45, 0.485, 0.495, 0.49875, 0.50125, 0.505, 0.515, 0.55, 0.65, 1 };
-/* a surface over u, v in [0, 1], with its own normals, as nu x nv cells */
+/* a surface over u, v in [0, 1], with its own normals; kit_patch cuts it into nu x nv cells */
 typedef void kit_surface(const void *shape, double u, double v, kit_vertex *out);
 void   kit_patch(kit_build *b, int nu, int nv, kit_surface *surface, const void *shape);
-/* of radius shape[0] about the origin */
+/* a sphere of radius shape[0] about the origin */
 void   kit_sphere_surface(const void *shape, double u, double v, kit_vertex *out);
-/* lying: shape[0] to the tube's middle, shape[1] the tube */
+/* a lying torus: shape[0] is the radius to the tube's middle, shape[1] the tube's radius */
 void   kit_torus_surface(const void *shape, double u, double v, kit_vertex *out);
 void   kit_turned(kit_build *b, const kit_moulding *profile, int count, int around);
 void   kit_cylinder(kit_build *b, double radius, double height, int around);             /* closed, standing on y = 0 */
 
-/* What comes now is a new object; the first one has all that came before, too. casts -1: to be judged. */
+/* Begins a new object. The first object also has all earlier shapes. casts -1: still to be decided. */
 void   kit_begin_object(kit_build *b, const char *name, int casts);
 void   kit_mesh_bounds(kit_mesh *mesh);
-/* writes object k's triangles and bounds; the mesh's bounds are left */
+/* writes object k's triangles and bounds, but not the mesh's bounds */
 void   kit_set_place(kit_scene *s, int k, const float m[16]);
-/* raised as far as it takes to be above a level */
+/* the same, raised until the object is above a level */
 void   kit_place_above(kit_scene *s, int k, const float m[16], double level);
-/* makes object k's triangles, as they are, a shape of its own */
+/* makes object k's present triangles a shape of its own */
 int    kit_own_shape(kit_scene *s, int k);
-/* Completes what has been built: the objects' shapes and bounds, from number first on, whether they cast, and the
-   mesh's bounds. */
+/* Completes the objects from number first on (shapes, bounds and whether they cast), and the mesh's bounds. */
 int    kit_complete(kit_scene *s, int first);
 
-/* ---- >>parts: more shapes, which scenes by seed are built of ------------------------------------------------- */
+/* ---- >>parts: more shapes, for scenes by seed ---------------------------------------------------------------- */
 
-/* smooth noise in [-1, 1], features about 1 wide; fractal: octaves of it, each half as wide and half as strong */
+/* smooth noise in [-1, 1] with features about 1 wide; fractal: octaves of it, each half as wide and half as strong */
 double kit_noise(unsigned seed, double x, double y, double z);
 double kit_fractal(unsigned seed, double x, double y, double z, int octaves);
-/* closed, round, through so many points, corners as they are (at most 256 points) */
+/* a closed round tube through count points, at most 256, with unrounded corners */
 void   kit_tube(kit_build *b, const double at[][3], int count, double radius, int around);
-/* a tube from one point to another that sags by so much in the middle */
+/* a tube from one point to another that sags by sag in the middle */
 void   kit_cable(kit_build *b, const double from[3], const double to[3], double sag, double radius, int around);
-/* closed: a box of half sides whose corners are rounded, round 0 .. 1 (a ball) */
+/* a closed box of half sides half with rounded corners; round: from 0 (a box) to 1 (a ball) */
 void   kit_cushion(kit_build *b, const double half[3], double round, int cells);
-/* box with edges cut off at 45 degrees by so much */
+/* a box whose edges are cut off at 45 degrees, bevel wide */
 void   kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, double y1, double z1, double bevel);
-/* closed, from y = 0 up: a convex outline in x and z, counter-clockwise seen from above */
+/* closed, from y = 0 up; outline: convex, in x and z, counter-clockwise as seen from above */
 void   kit_prism(kit_build *b, const double outline[][2], int count, double height);
 /* a flat sheet without thickness that leans: width along x, length along z from the origin, bent down by bend radians
    over its length; as a leaf it is pointed at both ends */
 void   kit_leaf(kit_build *b, double width, double length, double bend, int cells, int pointed);
-/* ground over a rectangle, with smooth normals: height(of, x, z) */
+/* a ground over a rectangle, with smooth normals; height(of, x, z) is its height */
 typedef double kit_height(const void *of, double x, double z);
 void   kit_height_field(kit_build *b, const double rectangle[4], int nx, int nz, kit_height *height, const void *of);
 
 /* ---- >>scenes ------------------------------------------------------------------------------------------------ */
 
-static const double KIT_GAP = 0.001;       /* between what rests and what it rests on */
+static const double KIT_GAP = 0.001;       /* between a thing and the surface that it rests on */
 
 typedef struct kit_builtin {
     const char *name, *about;
@@ -121,9 +119,9 @@ void   kit_build_casters(kit_build *b);
 void   kit_build_crowd(kit_build *b);
 const kit_builtin *kit_builtin_at(int i);  /* NULL past the last */
 
-/* "random:SEED", "random:KIND:SEED", "model:NAME", "model:NAME:SEED": its scene, complete (seeds.c) */
+/* loads "random:SEED", "random:KIND:SEED", "model:NAME" or "model:NAME:SEED" as a complete scene (seeds.c) */
 int    kit_load_seeded(kit_scene *scene, const char *name, kit_error *err);
-/* Whether all things and models that the rows of tables/ name are there (grammar.c). */
+/* Whether all things and models exist that the rows of tables/ name (grammar.c). */
 int    kit_check_rows(kit_error *err);
 
 #endif

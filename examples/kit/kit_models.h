@@ -1,4 +1,4 @@
-/* kit_models.h - what models.c, mesh.c, gltf.c, assimp.c, texture.c and cards.c share. Private to them. */
+/* kit_models.h - shared by models.c, mesh.c, gltf.c, assimp.c, texture.c and cards.c. Private to them. */
 #ifndef KIT_MODELS_H
 #define KIT_MODELS_H
 
@@ -6,18 +6,18 @@
 
 /* ---- >>models */
 
-/* The triangles of an OBJ, or of what else can be read. note: KIT_NOTE characters, as a scene has it. */
+/* The triangles of an OBJ or another format that can be read. note: KIT_NOTE characters, as kit_scene.note. */
 int kit_model_read(kit_mesh *mesh, kit_object **object, int *objects, char *note, const char *path, kit_error *err);
 
 /* ---- >>mesh */
 
-/* The text of an OBJ that lies far from 0, its vertices about its middle, which is then the origin; free(). NULL: it
-   lies near, or cannot be read. */
+/* The text of an OBJ that is far from 0, with its vertices moved so that its middle, the origin, is 0. The caller calls
+   free(). NULL: the OBJ is near 0, or cannot be read. */
 char *kit_obj_moved(double origin[3], const char *path);
 
 /* ---- >>gltf */
 
-/* What a glTF says of its nodes; text: all of it, in which node[i] begins. */
+/* The nodes of a glTF; text: all of its JSON, in which node[i] points to the i-th. */
 typedef struct kit_gltf {
     char *data, *text;
     kit_array node;                        /* const char * */
@@ -25,20 +25,21 @@ typedef struct kit_gltf {
 
 /* Its JSON alone; free(data). */
 int kit_gltf_text(kit_gltf *g, const char *path, kit_error *err);
-/* Its nodes, too; of one that is damaged those before the damage. */
+/* JSON and nodes; if the file is damaged, the nodes before the damage. */
 int kit_gltf_open(kit_gltf *g, const char *path, kit_error *err);
 void kit_gltf_close(kit_gltf *g);
-/* Of a value, which may be NULL: the member of a name; the first element, and the next one; NULL: there is none. */
+/* For a value, which may be NULL: its member of a name; its first element, and the next element. NULL: there is
+   none. */
 const char *kit_gltf_member(const char *object, const char *name);
 const char *kit_gltf_first(const char *array);
 const char *kit_gltf_next(const char *element);
 /* The node that an element names. */
 const char *kit_gltf_node(const kit_gltf *g, const char *element);
-/* Those of the scene that is shown: an array. */
+/* The root nodes of the scene that is shown: an array. */
 const char *kit_gltf_roots(const kit_gltf *g);
-/* How many numbers an array has; so many of them. */
+/* The number of numbers in an array; writes at most `most` of them. */
 size_t kit_gltf_numbers(double *out, size_t most, const char *array);
-/* Rows, from its matrix or its translation, rotation and scale. */
+/* A node's transform as rows, from its matrix or its translation, rotation and scale. */
 void kit_gltf_place(double m[3][4], const char *node);
 
 /* ---- >>assimp */
@@ -46,8 +47,7 @@ void kit_gltf_place(double m[3][4], const char *node);
 /* Version of the library that reads models; NULL: this build has none. */
 const char *kit_assimp_version(void);
 int kit_assimp_takes(const char *ending); /* ".ply": whether it has a reader for such files */
-/* All triangles of a model of size bytes, whose format is called that, and its objects. On a damaged file it may end
-   the process. */
+/* All triangles and objects of a model of size bytes in that format. It may end the process on a damaged file. */
 int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, const char *format, kit_error *err);
 
 /* ---- >>texture */
@@ -58,32 +58,32 @@ typedef struct kit_picture {
     unsigned char *texel;
 } kit_picture;
 
-/* PNG, JPEG, TGA or BMP; why: what is wrong with it. */
+/* PNG, JPEG, TGA or BMP; why: the fault of the data. */
 int kit_picture_read(kit_picture *t, const void *data, size_t size, const char **why);
 void kit_picture_free(kit_picture *t);
-/* Linear, of the texels whose alpha is at least so much; of all if there are none. */
+/* The mean colour, linear, of the texels whose alpha is at least `least`; of all texels if there are none. */
 void kit_picture_mean(const kit_picture *t, int least, float rgb[3]);
-/* Whether alpha tells apart what is there and what is not: some of it is 0, nearly all of it is 0 or 255. */
+/* Whether alpha is a mask: some of it is 0, and nearly all of it is 0 or 255. */
 int kit_picture_cuts(const kit_picture *t);
 
 /* ---- >>cards */
 
-/* Which texels are there, as sums over all above and left of each corner of texels. */
+/* The opaque texels, as a table of sums: at each corner of texels, the number of those above and left of it. */
 typedef struct kit_mask {
     int width, height;
     uint32_t *sum;
-    double owed;                           /* texels that were there and not given, less those given that were not */
+    double owed;                           /* opaque texels left out, less transparent ones that were kept */
 } kit_mask;
 
 enum { KIT_REPEAT, KIT_MIRROR, KIT_CLAMP };
 
-/* Those whose alpha is at least so much; of a picture of opacity without alpha, whose brightness is. */
+/* Marks texels as opaque if their alpha is at least `least`, or in an opacity map without alpha their brightness. */
 int kit_mask_make(kit_mask *m, const kit_picture *t, int bright, int least);
 void kit_mask_free(kit_mask *m);
 
-/* What is left of a triangle where its texels are there, as triangles: weights of its corners 1 and 2, three times.
-   Cut along texels, or along squares of them, so large that there are at most so many of them: they are given or not so
-   that as much is left as is there. uv: v is up. */
+/* Cuts a triangle to its opaque texels and calls piece for each remaining triangle: weights of the corners 1 and 2,
+   three times. It cuts along texels, or along squares of them, so large that there are at most `most`; whole squares
+   are kept or left out so that the kept area is the opaque area. uv: v is up. */
 typedef int kit_piece(void *context, const double weight[3][2]);
 int kit_card_cut(kit_mask *m, const int wrap[2], const double uv[3][2], double most, kit_piece *piece,
                  void *context);

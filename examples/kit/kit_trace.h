@@ -1,5 +1,5 @@
-/* kit_trace.h - what camera.c, truth.c, lit.c, scatter.c and floor.c share: cameras in doubles, rays by chance,
-   pictures of them. Private to them. */
+/* kit_trace.h - shared by camera.c, truth.c, lit.c, scatter.c and floor.c: cameras in doubles, random rays, and
+   pictures made of them. Private to them. */
 #ifndef KIT_TRACE_H
 #define KIT_TRACE_H
 
@@ -10,7 +10,7 @@
 
 /* Rows of the rotation: right, up, backward. */
 void   kit_camera_axes(const kit_camera *camera, double axes[3][3]);
-/* half the picture's extent: at view depth 1, or orthographic in world units */
+/* half the picture's width and height: at view depth 1; in world units if orthographic */
 void   kit_camera_half(const kit_camera *camera, double half[2]);
 /* View-space ray through a pixel's centre: a point at view depth z is o + d z. shift counts in pixels, +x to the right,
    +y upward. */
@@ -19,18 +19,16 @@ int    kit_camera_check(const kit_camera *camera, const char *what, kit_error *e
 
 /* ---- >>rays from a point */
 
-/* ---- rays from a point ----------------------------------------------------------------------------------------- */
-
 typedef struct kit_ambient {
     ssgi_trace trace;
     float      radius;
     int        attenuation, rays;
-    const kit_scene *others;        /* NULL, or only objects of this scene that cast count, except number own */
+    const kit_scene *others;        /* if not NULL, only its objects that cast count, except object `own` */
     uint32_t   own;
-    /* Sobol's second dimension, bits reversed (the first dimension's are the index); a power of two of them, rays at
-       least */
+    /* Sobol's second dimension with bits reversed (the first dimension is the index); a power of two of points, at
+       least `rays` */
     uint32_t  *points;
-    uint32_t   mask;                /* that power less one */
+    uint32_t   mask;                /* that power of two less one */
 } kit_ambient;
 
 static inline uint32_t kit_reverse(uint32_t x)
@@ -42,7 +40,7 @@ static inline uint32_t kit_reverse(uint32_t x)
     return x >> 16 | x << 16;
 }
 
-/* PCG's [O'Neill 2014] */
+/* the hash of PCG [O'Neill 2014] */
 static inline uint32_t kit_mix(uint32_t x)
 {
     x = x * 747796405u + 2891336453u;
@@ -61,26 +59,23 @@ static inline uint32_t kit_scramble(uint32_t reversed, uint32_t seed)
     return kit_reverse(x);
 }
 
-/* Checks what was asked for, and fills a but for its trace; the caller frees points. */
+/* Checks the arguments and fills a, except for its trace; the caller frees points. */
 int    kit_ambient_begin(kit_ambient *a, float radius, int attenuation, int rays, const char *what, kit_error *err);
 void   kit_ambient_point(const kit_ambient *a, uint32_t i, uint32_t seed, float at[2]);      /* in [0,1)^2 */
-/* A direction about n by its coordinates there; one by chance, cosine-weighted. */
+/* The direction with coordinates x, y, z about n; and the cosine-weighted direction of a point in [0,1)^2. */
 void   kit_around(const float n[3], float x, float y, float z, float d[3]);
 void   kit_cosine_direction(const float n[3], const float at[2], float d[3]);
-/* How much the nearest hit within radius takes from a direction, [0,1]; hit: where it is, NULL if that does not
-   matter */
+/* The part of a direction's light that the nearest hit within radius blocks, [0,1]; hit gets that hit, may be NULL. */
 double kit_occluded(const kit_ambient *a, const float origin[3], const float d[3], ssgi_hit *hit);
-/* Off the surface at p along the unit vector lift, by some ten times the rounding of points as far from the origin of
-   coordinates as magnitude. */
+/* Moves p off its surface along the unit vector lift, by about ten times the rounding of coordinates as large as
+   magnitude. */
 void   kit_lift_off(const float p[3], float magnitude, const float lift[3], float origin[3]);
 float  kit_ambient_at(const kit_ambient *a, uint32_t pixel, const float origin[3], const float n[3]);  /* n unit */
-/* free(memory) once it is traced no more */
+/* call free(memory) after the last trace */
 int    kit_trace_new(ssgi_trace *trace, void **memory, const float *position, const uint32_t *index, size_t triangles,
                      const char *what, kit_error *err);
 
 /* ---- >>a picture of them */
-
-/* ---- truth ---------------------------------------------------------------------------------------------------- */
 
 typedef struct kit_place {              /* on the surface, as seen along a ray */
     float origin[3];                /* lifted off the face, toward the ray */
@@ -102,7 +97,7 @@ struct kit_truth {
     float               background;
     const kit_lighting *lighting;
     int                 bounce;
-    const kit_image    *env;                    /* the lighting's, or what its lamps leave of it */
+    const kit_image    *env;                    /* the lighting's, or the rest of it without its lamps */
     float              *env_row, *env_column;   /* see env_begin; NULL = no environment */
     int                 env_cells[2];           /* columns, rows */
     struct lamp        *lamp;                   /* see lamps_begin */
@@ -125,18 +120,18 @@ static inline void kit_mirror(const float d[3], const float n[3], float mirrored
 }
 
 void   kit_place_of(const kit_mesh *mesh, const ssgi_hit *hit, const float direction[3], kit_place *at);
-/* job: pixel, background and what that needs; channels: of the picture */
+/* job: set pixel, background and their inputs; channels: of the picture */
 int    kit_truth_run(kit_truth *job, kit_image *out, const char *channels, const kit_scene *scene,
                      const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
 
 /* ---- >>lit */
 
-/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if there is none), and
-   returns their mean. */
+/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if all weights are 0),
+   and returns their mean. */
 double kit_accumulate(float *cdf, int n);
 double kit_pick(const float *cdf, int n, float u);     /* where the running sum is u, in [0, n) */
-/* Adds up the irradiance over pi at a place; and, unless bounce is NULL, that of light which the hits around
-   reflect. rays: by cosine, by environment, both from point first on. */
+/* Adds up the irradiance over pi at a place; and, unless bounce is NULL, the light that hits around it reflect. rays:
+   the numbers of cosine-weighted rays and of rays drawn by the environment, each from point first on. */
 void   kit_gather(const kit_truth *job, const kit_place *at, uint32_t seed, uint32_t first, const int rays[2],
                   double irradiance[3], double *bounce);
 

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Puts what the named scenes of the chart need from Debian's packages into build/models; those that are there stay.
-# What cannot be had is left out: the chart says so, and goes on. Run it where the Makefile is.
-#   sh examples/kit/models.sh iron-bed maple stairs attic
+# Puts the models of the named scenes of the chart into build/models, from Debian's packages. Existing models stay. A
+# model that cannot be had is left out; the chart then says so and continues. Run it in the folder of the Makefile.
+#  sh examples/kit/models.sh iron-bed maple stairs attic
 kit=$(dirname "$0")
 new=build/models/new
 
@@ -15,7 +15,7 @@ from_furniture() {  # NAME, its path in the library without .obj
 house() {  # AC14-FZK-Haus by KIT/IAI, a building model in IFC
     [ -s build/models/fzk-house.obj ] && return
     sh "$kit/install.sh" assimp-utils assimp-testmodels && mkdir -p "$new" || return
-    # -gn: flat normals; by itself assimp rounds the corners of rooms
+    # -gn: flat normals; the default rounds the corners of rooms
     assimp export /usr/share/assimp/models/IFC/AC14-FZK-Haus.ifc "$new/fzk-house.obj" -gn >"$new/log" 2>&1 \
         && mv "$new/fzk-house.mtl" "$new/fzk-house.obj" build/models/
 }

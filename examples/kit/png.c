@@ -1,11 +1,11 @@
-/* png.c - PNG out, through stb, whose readers are hdr.c's and texture.c's, too. Declared in kit.h. */
+/* png.c - writes PNG by stb, and holds stb's readers, which hdr.c and texture.c also use. Declared in kit.h. */
 #include "kit/kit_image.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
-/* A PNG's bytes through zlib: what stb has for it ends the program when memory does. */
+/* Compresses a PNG's bytes by zlib: stb's own function ends the program if memory runs out. */
 static unsigned char *png_deflate(unsigned char *data, int size, int *packed, int level)
 {
     uLongf bytes = compressBound((uLong)size);
@@ -29,7 +29,7 @@ static unsigned char *png_deflate(unsigned char *data, int size, int *packed, in
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif
 #define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG                      /* for textures, and for the tests, which read back what was written */
+#define STBI_ONLY_PNG                      /* for textures, and for tests that read written files back */
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP

@@ -1,5 +1,6 @@
 /* util.c - errors, progress, threads, whole files, JSON. */
 #include "kit/kit.h"
+#include "ssgi.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -32,7 +33,7 @@ int kit_fail(kit_error *err, const char *format, ...)
 void kit_streams_open(void)
 {
     for (int i = 0; i < 3; ++i)
-        /* the lowest free one: this */
+        /* open() takes the lowest free one, which is i */
         if (fcntl(i, F_GETFD) < 0) (void)!open("/dev/null", i ? O_RDONLY : O_WRONLY);
     signal(SIGXFSZ, SIG_IGN);
 }
@@ -86,7 +87,7 @@ void kit_progress(const char *what, double fraction)
 {
     static double started, drawn;
     static int shown;
-    static char running[128];                  /* the outermost: what runs inside it does not restart its clock */
+    static char running[128];                  /* the outermost activity; inner ones do not restart its clock */
     if (!isatty(STDERR_FILENO) || (*running && *what && strcmp(what, running))) return;
     snprintf(running, sizeof running, "%s", fraction >= 1 ? "" : what);
     double now = kit_seconds();
@@ -95,7 +96,7 @@ void kit_progress(const char *what, double fraction)
         shown = 0;
         return;
     }
-    if (fraction <= 0) started = drawn = now; /* the first redraw comes after 0.1 s: short jobs stay quiet */
+    if (fraction <= 0) started = drawn = now; /* first redraw after 0.1 s: short jobs stay quiet */
     if (now - drawn < 0.1) return;
     drawn = now;
     shown = 1;
@@ -107,12 +108,12 @@ void kit_progress(const char *what, double fraction)
 
 typedef struct parallel {
     int count, block;
-    atomic_int next;                        /* passes count by at most a block a thread */
+    atomic_int next;                        /* may exceed count by one block a thread */
     void (*job)(void *context, int i);
     void *context;
 } parallel;
 
-static int parallel_block(parallel *p)     /* 0 when none is left */
+static int parallel_block(parallel *p)     /* 0 if no block is left */
 {
     int first = atomic_fetch_add(&p->next, p->block);
     if (first >= p->count) return 0;
@@ -134,7 +135,7 @@ void kit_parallel(const char *what, int count, void (*job)(void *context, int i)
     long wanted = text && atoi(text) > 0 ? atoi(text) : sysconf(_SC_NPROCESSORS_ONLN);
     int threads = wanted < 1 ? 1 : wanted > MOST ? MOST : (int)wanted;
     parallel p = { .count = count, .job = job, .context = context };
-    p.block = count / (32 * threads);      /* small enough to even out unequal jobs */
+    p.block = count / (32 * threads);      /* small enough to balance unequal jobs */
     if (p.block < 1) p.block = 1;
     atomic_init(&p.next, 0);
 
@@ -153,7 +154,7 @@ FILE *kit_file_open(size_t *size, const char *path, kit_error *err)
 {
     struct stat status;
     FILE *stream = NULL;
-    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);            /* waits for no pipe's other end */
+    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);            /* does not wait if it is a pipe */
     if (file < 0 || fstat(file, &status)) kit_fail(err, "%s: cannot be read: %s", path, strerror(errno));
     else if (S_ISDIR(status.st_mode)) kit_fail(err, "%s: is a directory, not a file", path);
     else if (!S_ISREG(status.st_mode)) kit_fail(err, "%s: is not a regular file", path);
@@ -183,7 +184,7 @@ int kit_file_read(char **data, size_t *size, const char *path, kit_error *err)
     return 0;
 }
 
-/* Where a path leads: a link's target, even one that is not there yet. NULL: errno says why. */
+/* The target of a path, through links, even if it does not exist yet. NULL: errno says why. */
 static char *led_to(const char *path)
 {
     enum { MOST_LINKS = 40 };
@@ -208,22 +209,22 @@ static char *led_to(const char *path)
     return NULL;
 }
 
-/* Makes a file beside the one that is to be written: its name is as short as any file system wants it, however long the
-   other's is, and no other writer's. */
+/* Makes a temporary file in the target's folder. Its name is short enough for any file system, however long the
+   target's is, and no other writer has it. */
 enum { PART_NAME = 160 };
 static int part_open(char *part, int folder, const char *base, mode_t mode)
 {
     static atomic_uint parts;
     int kept = (int)strnlen(base, 100), file;
-    while (kept && ((unsigned char)base[kept] & 0xc0) == 0x80) --kept;         /* whole characters */
+    while (kept && ((unsigned char)base[kept] & 0xc0) == 0x80) --kept;         /* only whole characters */
     do {
         snprintf(part, PART_NAME, "%.*s.%ld-%u.part", kept, base, (long)getpid(), atomic_fetch_add(&parts, 1));
         file = openat(folder, part, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    } while (file < 0 && errno == EEXIST);     /* a killed program's */
+    } while (file < 0 && errno == EEXIST);     /* left by a killed program */
     return file;
 }
 
-/* 0, or what errno says. */
+/* Returns 0, or errno. */
 static int write_all(int file, const char *data, size_t size)
 {
     for (size_t done = 0; done < size;) {
@@ -234,7 +235,7 @@ static int write_all(int file, const char *data, size_t size)
     return 0;
 }
 
-/* The file and then its name; 0, or what errno says. was: what it replaces, or NULL. */
+/* Writes a temporary file, then renames it; 0, or errno. was: the file that it replaces, or NULL. */
 static int replace(int folder, const char *base, const struct stat *was, const void *data, size_t size)
 {
     char part[PART_NAME];
@@ -242,7 +243,7 @@ static int replace(int folder, const char *base, const struct stat *was, const v
     if (file < 0) return errno;
     int failed = write_all(file, data, size);
     if (was) {
-        /* where the system allows it; else the mode is within what the old one allowed */
+        /* may be refused; the mode is then within the old file's */
         (void)!fchown(file, was->st_uid, was->st_gid);
         (void)!fchmod(file, was->st_mode & 0777);
     }
@@ -252,7 +253,7 @@ static int replace(int folder, const char *base, const struct stat *was, const v
     return failed;
 }
 
-/* Writes beside the target and renames, so that the target is the old file or the whole new one at every moment. */
+/* Writes a temporary file and renames it, so that the target is the old file or the whole new one at every moment. */
 int kit_file_write(const char *path, const void *data, size_t size, kit_error *err)
 {
     struct stat was;
@@ -260,7 +261,7 @@ int kit_file_write(const char *path, const void *data, size_t size, kit_error *e
     if (exists && !S_ISREG(was.st_mode))
         return kit_fail(err, "%s: cannot be written: %s", path,
                         S_ISDIR(was.st_mode) ? "is a directory" : "is not a regular file");
-    char *name = led_to(path);             /* a link stays a link: what it points to is replaced */
+    char *name = led_to(path);             /* a link stays a link: its target is replaced */
     if (!name) return kit_fail(err, "%s: cannot be written: %s", path, strerror(errno));
     char *slash = strrchr(name, '/');
     const char *base = slash ? slash + 1 : name;
@@ -269,8 +270,8 @@ int kit_file_write(const char *path, const void *data, size_t size, kit_error *e
     const int folder = open(within, O_PATH | O_DIRECTORY | O_CLOEXEC);
     int failed = folder < 0 ? errno : 0;
     if (!failed) {
-        /* A signal that ends the program waits for the rename, else the part would stay for ever. Beyond the limit of
-           a file's size there is one for this thread: an error, not the end. */
+        /* A signal that ends the program waits for the rename, else the temporary file would remain. A file above the
+           size limit raises a signal for this thread: here that is an error, not the end. */
         static const struct timespec at_once = { 0, 0 };
         sigset_t all, before, too_large;
         sigfillset(&all);
@@ -288,8 +289,8 @@ int kit_file_write(const char *path, const void *data, size_t size, kit_error *e
 
 /* ---- JSON --------------------------------------------------------------------------------------------------- */
 
-/* Bytes of the character in UTF-8 at s, 0 if there is none: no longer forms of shorter ones, no halves of a pair of
-   UTF-16, nothing beyond U+10FFFF (the Unicode standard's table 3-7). */
+/* The number of bytes of the UTF-8 character at s, 0 if it is invalid: a longer form of a shorter one, half of a UTF-16
+   pair, or above U+10FFFF (the Unicode standard's table 3-7). */
 static int utf8_length(const unsigned char *s)
 {
     static const struct { unsigned char first, last, low, high; int length; } forms[] = {
@@ -320,6 +321,20 @@ void kit_print_words(const char *text, int column, int indent, int most)
         between = " ";
     }
     putchar('\n');
+}
+
+int kit_help(int argc, char **argv, const char *usage, const kit_help_entry *entry)
+{
+    enum { INDENT = 26, MOST = 100 };
+    const char *const asked = argc == 2 ? argv[1] : "";
+    if (!strcmp(asked, "--version")) return printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR) > 0;
+    if (strcmp(asked, "--help") && strcmp(asked, "-h")) return 0;
+    printf("usage: %s\n", usage);
+    for (; entry->text; ++entry) {
+        if (entry->name && printf("  %-*s ", INDENT - 3, entry->name) > INDENT) printf("\n%*s", INDENT, "");
+        kit_print_words(entry->text, entry->name ? INDENT : 0, entry->name ? INDENT : 0, MOST);
+    }
+    return 1;
 }
 
 void kit_json_string(FILE *out, const char *text)

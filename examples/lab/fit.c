@@ -1,13 +1,7 @@
-/* fit.c - fits the table of choices in ssgi.h's room >>plan to what "report fit" measured (report/plan-fit.csv), and
-   prints it, to be put there.
+/* fit.c - fits the table of choices in ssgi.h's room >>plan to the measurements of "report fit": --help says how.
 
-      build/fit report/plan-fit.csv [report/plan-gpu.csv]
-
-   The second is what make bench measured on a GPU, or what make cost models of one (report/plan-cost.csv). What neither
-   has, splats among it, stays as ssgi.h has it; so does all but that column of an empty plan-fit.csv (/dev/null: make
-   fit-gpu, make fit-cost).
-   A choice's squared error is a sum of terms, each times a number that is 0 or more: least squares of relative errors,
-   by coordinates. */
+   A choice's squared error is a sum of terms, each times a number that is at least 0. These numbers are found by least
+   squares of relative errors, one after another. */
 #define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #include "../../ssgi.h"
@@ -15,7 +9,7 @@
 #include <stdlib.h>
 
 enum { MOST_ROWS = 8192, MOST_TERMS = SSGI__PLAN_TERMS };
-/* cost: in software; of choices that were not timed it is only what was predicted. captured: a survey without slabs */
+/* cost: in software; only predicted if the choice was not timed. captured: the survey of a frame without slabs */
 typedef struct measured {
     char            view[64];
     ssgi_plan_scene scene;
@@ -31,7 +25,7 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Weights follow the prediction, so that what is left is about the logarithm's. */
+/* Weights follow the predicted errors, so that the residues are about those of the logarithm. */
 static double solve(double x[MOST_TERMS], const equation *rows, int count, int terms)
 {
     double residue = 0;
@@ -63,7 +57,7 @@ static double solve(double x[MOST_TERMS], const equation *rows, int count, int t
     return count ? sqrt(residue / count) : 0;
 }
 
-/* ", 0.12f": at most three decimals, as C has them. */
+/* Prints such as ", 0.12f", with at most three decimals. */
 static void literal(double v, int width, const char *end)
 {
     char text[32], padded[40];
@@ -73,7 +67,7 @@ static void literal(double v, int width, const char *end)
     printf("%-*s", *end == ',' ? width + 2 : 0, padded);
 }
 
-/* A line of plan-fit.csv. */
+/* Reads a line of plan-fit.csv. */
 static int read_row(measured *m, int *fits, const char *line)
 {
     ssgi_plan_scene *s = &m->scene;
@@ -96,7 +90,7 @@ static int read_row(measured *m, int *fits, const char *line)
                   &m->captured.occlusion, &m->captured.detail, &m->captured.solid) == 7 ? 0 : -1;
 }
 
-/* A calibration of some places is noisy: of these views all is known. */
+/* A calibration by some places is noisy, so it is replaced by the errors that were measured on the whole view. */
 static void know(measured *row, int count)
 {
     for (int i = 0; i < count; ++i) {
@@ -115,8 +109,8 @@ static void know(measured *row, int count)
 static measured row[MOST_ROWS];
 static equation equations[MOST_ROWS];
 
-/* Terms of surfels' cost: a choice's own, which its row has (the slices near by, the filter), times the splats'
-   texels, times the surfels. */
+/* Terms of the cost of surfels: the choice's own (slices near by, the filter) at its resolution, the texels of its
+   splats, the number of its surfels. */
 enum { OF_FULL, OF_HALF, OF_QUARTER, OF_TEXELS, OF_SURFELS, SPLAT_TERMS };
 
 static int own_term(const ssgi__plan_row *r)
@@ -141,7 +135,7 @@ static void fit_splats(int count, double own[MOST_TERMS])
             2 * spread, n);
 }
 
-/* What a survey alone tells of a calibration of visibility, without slabs and with. */
+/* Fits the prediction of a calibration of visibility from a survey alone, without slabs and with slabs. */
 static void fit_survey(int count)
 {
     static const char *const names[3] = { "nothing", "hsao", "slabs" };
@@ -165,7 +159,7 @@ static void fit_survey(int count)
         }
 }
 
-/* Every line of the csv that fits; how many, -1: one is no row. */
+/* Reads the lines of the csv that fit. Returns how many; -1: one is no row. */
 static int read_rows(FILE *f, const char *path)
 {
     char line[1024];
@@ -180,7 +174,7 @@ static int read_rows(FILE *f, const char *path)
     return count;
 }
 
-/* What a GPU takes for each choice; 0: not known. # begins a line that is none. -1: another one is none. */
+/* Reads the time of each choice on a GPU; 0: not known. Lines that begin with # are skipped. -1: a line is no row. */
 static int read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f, const char *path)
 {
     char line[1024];
@@ -199,7 +193,7 @@ static int read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f, const char *path)
     return 0;
 }
 
-/* The equations of a choice's error, how many; and what it cost where it was timed. */
+/* Sets up the equations of a choice's error and returns how many; also lists its costs where they were timed. */
 static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
 {
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
@@ -219,7 +213,7 @@ static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
     return n;
 }
 
-/* In software; what was not measured stays as it is. */
+/* A choice's cost in software. If it was not measured, it stays as in ssgi.h. */
 static double cost_of(double *costs, int n, const ssgi__plan_row *r, double own)
 {
     qsort(costs, (size_t)n, sizeof *costs, by_value);
@@ -228,7 +222,7 @@ static double cost_of(double *costs, int n, const ssgi__plan_row *r, double own)
                                                             : costs[n / 2];
 }
 
-/* A line of the table. */
+/* Prints a line of the table. */
 static void print_choice(int c, int count, double own[MOST_TERMS], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
@@ -254,14 +248,25 @@ static void print_choice(int c, int count, double own[MOST_TERMS], double gpu)
     fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
 }
 
+static const char usage[] =
+    "usage: fit PLAN-FIT.csv [COSTS.csv]\n"
+    "Fits the planner's table to measured errors and prints it, to be put into ssgi.h, room >>plan.\n"
+    "  PLAN-FIT.csv            The errors that build/report fit has written. If the file is empty\n"
+    "                          (/dev/null), only the column of costs changes.\n"
+    "  COSTS.csv               Costs on a GPU: plan-gpu.csv of make bench, which are measured, or\n"
+    "                          plan-cost.csv of make cost-plan, which are estimated. A choice that is\n"
+    "                          in neither file keeps its costs.\n";
+
 int main(int argc, char **argv)
 {
+    const char *const asked = argc == 2 ? argv[1] : "";
     double own[MOST_TERMS], gpu[SSGI_PLAN_CHOICES] = { 0 };
+    if (!strcmp(asked, "--help") || !strcmp(asked, "-h")) return fputs(usage, stdout) < 0;
+    if (!strcmp(asked, "--version")) return printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR) < 0;
     FILE *f = argc == 2 || argc == 3 ? fopen(argv[1], "r") : NULL;
     FILE *measured_gpu = argc == 3 ? fopen(argv[2], "r") : NULL;
     if (!f || (argc == 3 && !measured_gpu)) {
-        fprintf(stderr, argc < 2 ? "usage: fit plan-fit.csv [plan-gpu.csv]\n" : "fit: %s: cannot be read\n",
-                argv[f ? argc - 1 : argc > 1]);
+        fprintf(stderr, argc < 2 ? usage : "fit: %s: cannot be read\n", argv[f ? argc - 1 : argc > 1]);
         return 2;
     }
     const int bad = measured_gpu && read_gpu(gpu, measured_gpu, argv[2]), count = bad ? -1 : read_rows(f, argv[1]);

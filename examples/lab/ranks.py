@@ -1,11 +1,12 @@
-"""ranks.py - whether two kinds of scenes by seed rank settings alike: those of two commits, say, each in its work tree.
+"""ranks.py - whether two sets of seeded scenes, such as those of two commits, rank settings alike.
 
     build/try --judge yes --from 5005 --count 70 --out old.csv METHOD[:key=value,..] ..
     build/try --judge yes --from 5005 --count 70 --out new.csv ..the same..
     python3 examples/lab/ranks.py old.csv new.csv
 
-By kind and of all: Kendall's tau between both means of each setting, that between halves of either drawn forty times,
-which is as alike as so many scenes can be, the settings' means and their difference, and the largest of one."""
+Prints for each kind of scene, and for all: Kendall's tau between both sets' means of the settings; tau between random
+halves of one set, averaged over forty draws, which is the most that so many scenes allow; the mean of each set, the
+mean difference of a setting, and the largest."""
 import random
 import sys
 

@@ -1,12 +1,8 @@
-/* reflection.c - which light ambient visibility dims, on scenes by seed: ssgi_interreflected beside path-traced white
-   rooms, ssgi_specular_visibility beside traced glossy lobes.
+/* reflection.c - ways to dim reflected light by ambient visibility, on scenes by seed: ssgi_interreflected beside
+   path-traced white rooms, ssgi_specular_visibility beside traced glossy lobes.
 
-      build/reflection [--from 1000] [--count 14]
-
-   A row is a way to dim light, the columns are albedos of rooms and roughnesses of lobes; errors are shares of
-   that of dimming nothing, means over the scenes. Visibility and bent normals are once traced, so that the formulas
-   alone err, and once drawn by hsao and by s3ho's coefficients of 2 bands. Pictures are 1280x720; truth is traced at
-   every 22nd pixel both ways, by 128 rays. */
+   Visibility and bent normals are once traced, which shows the formulas' own error, and once drawn by hsao and by
+   s3ho's coefficients of 2 bands. The truth is traced at every 22nd pixel both ways, by 128 rays. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,11 +13,11 @@ static const float albedos[] = KIT_REFLECTED_ALBEDOS, roughnesses[] = KIT_REFLEC
 enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof roughnesses / sizeof *roughnesses),
        LIGHTS = ALBEDOS + LOBES };
 
-/* Visibility and cosines at a pixel, traced and drawn. */
+/* Visibility and cosines at a pixel; [0]: traced, [1]: drawn. */
 typedef struct seen { double visibility[2], bent[2], normal; } seen;
 enum { TRACED, DRAWN };
 
-/* NORMAL, BENT: by the functions of ssgi.h, about that direction. */
+/* NORMAL, BENT: by the functions of ssgi.h, about the normal or about the bent normal. */
 typedef enum manner { NOTHING, PLAIN, STRONG, NORMAL, BENT } manner;
 static const struct { const char *name; int by; manner how; } ways[] = {
     { "nothing is dimmed", TRACED, NOTHING },
@@ -46,7 +42,7 @@ static double dimmed(const seen *s, int light, int by, manner how)
                                             roughnesses[light - ALBEDOS]);
 }
 
-/* The cosine of the mirrored view direction to the direction of bands 0 and 1; view space. */
+/* The cosine between the mirrored view direction and the bent normal of bands 0 and 1, in view space. */
 static double cosine_to_bent(const kit_camera *camera, const kit_image *frame, const float *coefficient, int x, int y)
 {
     const size_t i = (size_t)y * WIDTH + (size_t)x;
@@ -64,7 +60,7 @@ static double cosine_to_bent(const kit_camera *camera, const kit_image *frame, c
     return kit_dot(ray, bent) - 2 * kit_dot(ray, n) * kit_dot(n, bent);
 }
 
-/* The coefficients that s3ho's filter wrote, rows bottom-up. */
+/* The coefficients that s3ho's filter wrote, the bottom row first. */
 static int coefficients_of(float *out, stage *s, kit_error *err)
 {
     kit_run run;
@@ -82,7 +78,7 @@ static int coefficients_of(float *out, stage *s, kit_error *err)
     return failed ? -1 : 0;
 }
 
-/* Squared errors of a scene: sum[way][light]. */
+/* Adds up the squared errors of a scene: sum[way][light]. */
 static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
 {
     static float coefficient[4 * WIDTH * HEIGHT];
@@ -123,18 +119,29 @@ static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
     return 0;
 }
 
+static const char usage[] = "reflection [--from SEED] [--count SCENES]";
+static const kit_help_entry help[] = {
+    { NULL, "Compares ways to dim reflected light by ambient visibility with path tracing, on scenes by seed. It "
+            "prints a table: a row for each way, a column for each albedo of a white room and for each roughness of a "
+            "glossy lobe. An error is divided by that of dimming nothing, and is the mean of the scenes." },
+    { "--from SEED", "The first seed [1000]." },
+    { "--count SCENES", "The number of scenes [14]." },
+    { NULL, NULL }
+};
+
 int main(int argc, char **argv)
 {
     int from = 1000, count = 14;
     double share[WAYS][LIGHTS] = { { 0 } };
     kit_error err = { "" };
+    if (kit_help(argc, argv, usage, help)) return 0;
     for (int i = 1; i + 1 < argc; i += 2) {
         if (!strcmp(argv[i], "--from")) from = atoi(argv[i + 1]);
         else if (!strcmp(argv[i], "--count")) count = atoi(argv[i + 1]);
         else argc = 0;
     }
     if (argc % 2 == 0 || from < 0 || count < 1) {
-        fputs("usage: reflection [--from SEED] [--count SCENES]\n", stderr);
+        fprintf(stderr, "usage: %s\n", usage);
         return 2;
     }
     int failed = kit_gl_open(NULL, &err);

@@ -1,19 +1,14 @@
-/* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
+/* report.c - the laboratory's charts: pictures beside the truth, and speed against accuracy. --help lists commands and
+   options.
 
-      build/report demo, chart, light, seeds, papers, fit or plan; alone it prints what each takes
+   Each command writes a record of its name, such as demo.js, beside index.html, which shows all records that are there.
+   Truth is kept under build/cache, and so are an interrupted chart's results, which the same command continues. Bad
+   input, or a write that fails: one line on stderr, status 2.
 
-   Each writes a record of its name, demo.js, beside index.html, which shows all that are there.
-   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too, and with
-   neither --scene nor --method scenes by seed and the plan. --method: the rows of methods whose names begin so. --from:
-   the first seed; those below 1000, which settings may be tuned on, end there, and their files are called seeds-fit.
-   --commit: its hash draws half of the scenes by seed.
-   Truth is kept under build/cache/, and so is what an interrupted chart has measured: the same command goes on from
-   there. Bad input, or a write that fails: one line on stderr, status 2.
-
-   Here are the commands, which put sections into records; a section is a table of chart/, a paper one of papers/, which
-   sets up some of its stages as chart/ does. Below them lies page/: how records, tables and pictures are written, what
-   is kept of a chart that is not whole, and the page that shows them; below that measure/: scenes and their truth,
-   methods drawn, scored and timed. Nothing calls upward; no section calls another. */
+   report.c puts sections into records. A section is a table of chart/, a paper one of papers/, which sets up some of
+   its stages as chart/ does. Below lies page/: how records, tables and pictures are written, the results of a chart
+   that is not complete, and the page that shows them. Below that lies measure/: scenes and their truth; methods drawn,
+   scored and timed. Nothing calls upward; no section calls another. */
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,7 +38,7 @@ static int end(page *record, const options *o, const char *name, kit_error *err)
     return page_end(record, o->out, name, err);
 }
 
-/* Sections of a record, and their text. */
+/* Measures sections into a record and prints their text. */
 static int sections(FILE *record, const section *const *c, int count, const options *o, kit_error *err)
 {
     for (int k = 0; k < count; ++k) {
@@ -74,7 +69,7 @@ static int demo(const options *o, kit_error *err)
                : 0;
 }
 
-/* What --method names must be there. */
+/* Fails if --method names no known method. */
 static int check_asked(const options *o, kit_error *err)
 {
     kit_method m;
@@ -90,7 +85,7 @@ static int check_asked(const options *o, kit_error *err)
                : 0;
 }
 
-/* Of some scenes ambient occlusion alone; of some methods neither seeds nor the plan. */
+/* With --scene ambient occlusion alone; with --method neither seeds nor the plan. */
 static int chart(const options *o, kit_error *err)
 {
     static const section *const all[] = { &ao_chart, &lit_chart, &fields_chart, &deep_chart, &seeds_chart };
@@ -105,13 +100,13 @@ static int chart(const options *o, kit_error *err)
     return end(&record, o, "chart", err);
 }
 
-/* Scenes by seed are not timed, so that several are measured at once. */
+/* Scenes by seed are not timed, so several are measured at once. */
 static int chart_ahead(const options *o, kit_error *err)
 {
     return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
 }
 
-/* A section alone. */
+/* A record of one section. */
 static int alone(const section *c, const char *name, const char *command, const options *o, kit_error *err)
 {
     page record;
@@ -152,7 +147,7 @@ static int plan(const options *o, kit_error *err)
     return end(&record, o, "plan", err);
 }
 
-/* What five papers print, and the same drawn here on a comparable scene. */
+/* The tables and figures of five papers, beside those of comparable scenes drawn here. */
 static int papers(const options *o, kit_error *err)
 {
     page record;
@@ -169,43 +164,61 @@ static int papers(const options *o, kit_error *err)
 
 static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
 
-/* What a command takes beside --out and --context. ahead: what it does before there is a GL context; NULL: nothing. */
+/* The options of a command beside --out and --context. ahead: runs before there is a GL context; NULL: nothing. */
 enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, COMMIT = 64 };
 typedef int step(const options *o, kit_error *err);
 static const struct command { const char *name, *about; int takes; step *run, *ahead; } commands[] = {
-    { "demo", "pictures and tables beside the truth, in a minute", MESH, demo, NULL },
-    { "chart", "speed against accuracy: chart*.csv, in an hour", QUICK | SCENES | METHOD | COMMIT, chart, chart_ahead },
-    { "light", "light on every pair: chart-pairs.csv", QUICK | SCENES | METHOD, light, NULL },
-    { "seeds", "scenes by seed and models: seeds.csv", QUICK | METHOD | SEEDS | COMMIT, seeds, seeds_ahead },
-    { "papers", "the papers' tables and figures: papers.csv, in some minutes", QUICK | PAPER, papers, NULL },
-    { "fit", "what the plan's table is fitted to, by fit.c: plan-fit.csv", MESH, fit, plan_fit_ahead },
-    { "plan", "the plan on views that it was not fitted on: plan.csv", MESH, plan, plan_ahead }
+    { "demo", "Images and tables of every method beside the ground truth, in two minutes.", MESH, demo, NULL },
+    { "chart", "Speed against accuracy, in an hour: chart*.csv.", QUICK | SCENES | METHOD | COMMIT, chart,
+      chart_ahead },
+    { "light", "Light on every pair of a scene and a probe: chart-pairs.csv.", QUICK | SCENES | METHOD, light, NULL },
+    { "seeds", "Ambient occlusion on scenes by seed and on models: seeds.csv.", QUICK | METHOD | SEEDS | COMMIT, seeds,
+      seeds_ahead },
+    { "papers", "The papers' tables and figures, in some minutes: papers.csv.", QUICK | PAPER, papers, NULL },
+    { "fit", "The errors that build/fit fits the planner's table to: plan-fit.csv.", 0, fit, plan_fit_ahead },
+    { "plan", "The planner on views that it was not fitted on: plan.csv.", 0, plan, plan_ahead }
 };
-/* of: the commands that take it; what: of its value, NULL: it has none; most: of a number, 0: it is a text; at: its
-   place in options. */
-static const struct argument { const char *name, *what; int of, most; size_t at; } arguments[] = {
-    { "--out",     "FOLDER",                0,      0,          offsetof(options, out) },
-    { "--context", "osmesa | egl | egl-es", 0,      0,          offsetof(options, context) },
-    { "--mesh",    "MODEL",                 MESH,   0,          offsetof(options, mesh) },
-    { "--quick",   NULL,                    QUICK,  0,          offsetof(options, quick) },
-    { "--scene",   "NAME",                  SCENES, 0,          offsetof(options, scene) },
-    { "--method",  "NAME",                  METHOD, 0,          offsetof(options, method) },
-    { "--paper",   "HSAO08",                PAPER,  0,          offsetof(options, paper) },
-    { "--from",    "SEED",                  SEEDS,  999999,     offsetof(options, first) },
-    { "--count",   "N",                     SEEDS,  MOST_SEEDS, offsetof(options, seeds) },
-    { "--commit",  "HASH",                  COMMIT, 0,          offsetof(options, commit) }
+/* of: the commands that take the option; what: its value in the help, NULL: it has none; most: its limit as a number,
+   0: it is a text; at: its member of options. */
+static const struct argument { const char *name, *what, *about; int of, most; size_t at; } arguments[] = {
+    { "--out", "FOLDER", "The folder to write into [report].", 0, 0, offsetof(options, out) },
+    { "--context", "NAME", "osmesa, egl or egl-es: the source of the GL context.", 0, 0, offsetof(options, context) },
+    { "--mesh", "MODEL", "Ambient occlusion of that model alone.", MESH, 0, offsetof(options, mesh) },
+    { "--quick", NULL, "Smaller images and fewer rows.", QUICK, 0, offsetof(options, quick) },
+    { "--scene", "NAME", "Ambient occlusion of that scene alone. It may be given several times.", SCENES, 0,
+      offsetof(options, scene) },
+    { "--method", "NAME", "Methods whose names begin so, without scenes by seed and the planner.", METHOD, 0,
+      offsetof(options, method) },
+    { "--paper", "NAME", "Papers, tables and figures whose names begin so: HSAO08, \"DSS14 Figure 7\".", PAPER, 0,
+      offsetof(options, paper) },
+    { "--from", "SEED", "The first seed [1000]. Settings may be tuned on those below 1000: a run that begins there "
+                        "ends there, and writes seeds-fit.csv.", SEEDS, 999999, offsetof(options, first) },
+    { "--count", "N", "The number of scenes by seed.", SEEDS, MOST_SEEDS, offsetof(options, seeds) },
+    { "--commit", "HASH", "The hash of a commit, which draws half of the scenes by seed.", COMMIT, 0,
+      offsetof(options, commit) }
 };
 
-static void usage(void)
+static const char usage[] = "report demo | chart | light | seeds | papers | fit | plan [options]";
+
+/* Options behind the commands, each with those that take it. */
+static int helped(int argc, char **argv)
 {
-    for (const struct command *c = commands; c < commands + COUNT(commands); ++c) {
-        fprintf(stderr, "%s report %-6s", c == commands ? "usage:" : "      ", c->name);
-        for (int k = 0; k < COUNT(arguments); ++k)
-            if (!arguments[k].of || c->takes & arguments[k].of)
-                fprintf(stderr, " [%s%s%s]", arguments[k].name, arguments[k].what ? " " : "",
-                        arguments[k].what ? arguments[k].what : "");
-        fprintf(stderr, "     %s\n", c->about);
+    enum { MOST = 160 };
+    static char name[COUNT(arguments)][MOST], text[COUNT(arguments)][2 * MOST];
+    kit_help_entry help[1 + COUNT(commands) + COUNT(arguments) + 1] = {
+        { NULL, "Measures the methods, and adds a page of the command's name to index.html." } }, *to = help + 1;
+    for (const struct command *c = commands; c < commands + COUNT(commands); ++c)
+        *to++ = (kit_help_entry){ c->name, c->about };
+    for (int k = 0; k < COUNT(arguments); ++k) {
+        const struct argument *a = arguments + k;
+        int used = snprintf(text[k], sizeof *text, "%s%s", a->about, a->of ? " For" : "");
+        snprintf(name[k], sizeof *name, "%s %s", a->name, a->what ? a->what : "");
+        for (const struct command *c = commands; c < commands + COUNT(commands) && a->of; ++c)
+            if (c->takes & a->of) used += snprintf(text[k] + used, sizeof *text - (size_t)used, " %s,", c->name);
+        if (a->of) text[k][used - 1] = '.';
+        *to++ = (kit_help_entry){ name[k], text[k] };
     }
+    return kit_help(argc, argv, usage, help);
 }
 
 static int take_value(options *o, const struct argument *a, const char *value, kit_error *err)
@@ -232,7 +245,7 @@ static int parse(options *o, const struct command *c, int argc, char **argv, kit
         const struct argument *a = arguments;
         while (a < arguments + COUNT(arguments) && (strcmp(argv[i], a->name) || (a->of && !(c->takes & a->of)))) ++a;
         if (a == arguments + COUNT(arguments))
-            return kit_fail(err, "%s: %s takes no such argument (report alone prints what there is)", argv[i], argv[1]);
+            return kit_fail(err, "%s: %s takes no such argument (report --help lists what there is)", argv[i], argv[1]);
         if (!a->what) o->quick = 1;
         else if (take_value(o, a, argv[++i], err)) return -1;
     }
@@ -254,10 +267,11 @@ int main(int argc, char **argv)
 {
     const struct command *c = commands;
     kit_error err = { "" };
+    if (helped(argc, argv)) return 0;
     kit_streams_open();
-    if (argc < 2) { usage(); return 2; }
-    while (c < commands + COUNT(commands) && strcmp(c->name, argv[1])) ++c;
-    if (c == commands + COUNT(commands))
+    while (argc > 1 && c < commands + COUNT(commands) && strcmp(c->name, argv[1])) ++c;
+    if (argc < 2) kit_fail(&err, "a command is missing: %s (--help explains it)", usage);
+    else if (c == commands + COUNT(commands))
         kit_fail(&err, "%s: there is no such command (demo, chart, light, seeds, papers, fit, plan)", argv[1]);
     else run(c, argc, argv, &err);
     if (*err.text) {

@@ -1,22 +1,10 @@
-/* try.c - settings tried on scenes by seed, for whoever tunes: the error of each over that of doing nothing, its noise,
-   and how it differs from the first, scene by scene.
+/* try.c - settings tried on scenes by seed, for tuning: --help says how.
 
-      build/try [--from 0] [--count 28] [--light | --bounce] [--radius R] [--out build/try.csv] [--against other.csv]
-                [--scenes random:KIND | models] [--judge yes] [--quick] METHOD[:key=value,..] ..
-
-   Seeds from 1000 on are what charts report on: nobody tunes on these, so they are refused without --judge. --light: of
-   irradiance under the scenes' own environments, no bounce; --bounce: of one bounce's alone. --against: the same
-   settings as another build measured them, in the order given; so a change of the headers is tried in two work trees.
-   Pictures are 1280x720, truth at every eleventh pixel both ways, kept under build/cache. A process a core.
-
-   Noise, and error by the same bands, of visibility where a surface is smooth and in shade (lab/measure/bands.h), in
-   thousandths: bands to 1.2, 3, 8 and 20 pixels. Noise is what two phases differ by; of light what the same settings
-   differ by from 32 slices, over the light's mean. Error is of two truths at every pixel, without their noise.
-   --quick: the error alone. csv: seed, then of each setting the error, four bands of noise, four of error; nan: not
-   measured.
-
-   --scenes random:halls: of one kind alone; models: those of packages, one a seed; model:bunny: that one.
-   examples/lab/ranks.py says how alike two such csv rank. */
+   The truth is at every eleventh pixel both ways, and kept in build/cache. One process a core.
+   Noise and error in bands are of visibility on smooth surfaces in shade (lab/measure/bands.h), in thousandths. The
+   bands go to 1.2, 3, 8 and 20 pixels. Noise is the difference of two phases; of light it is the difference to the same
+   settings with 32 slices, over the mean light. The error is that against two truths at every pixel, without their
+   noise. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +32,7 @@ typedef struct trial {
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
-/* Of visibility, of irradiance, or of what one bounce brings. */
+/* The error of visibility, of irradiance or of one bounce. */
 static double error_of(const stage *s, const kit_image *picture, kit_error *err)
 {
     row r = row_blank(0, s->name, "", "", "");
@@ -52,7 +40,7 @@ static double error_of(const stage *s, const kit_image *picture, kit_error *err)
     return s->lit ? r.error[s->lit->bounce ? 2 : 1] : r.score.rmse;
 }
 
-/* Of "models" each seed has another one, and the camera by it. */
+/* With "models" the seed chooses the model, and the camera. */
 static int name_scene(char name[128], const char *scenes, int seed, kit_error *err)
 {
     snprintf(name, 128, "%s:%d", scenes, seed);
@@ -61,7 +49,7 @@ static int name_scene(char name[128], const char *scenes, int seed, kit_error *e
              : kit_fail(err, "--scenes models: no package has brought any: make model-deps");
 }
 
-/* Light, or its bounce, as one channel over its mean. */
+/* Irradiance or its bounce as one channel, divided by its mean. */
 static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_error *err)
 {
     const size_t pixels = (size_t)light->width * (size_t)light->height;
@@ -78,7 +66,7 @@ static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_e
     return 0;
 }
 
-/* Of slices alone: others have none that could be more. */
+/* The noise of slices; other methods do not have more of them, and are left out. */
 static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m, const kit_image *picture,
                           kit_error *err)
 {
@@ -153,7 +141,7 @@ static int measure_one(void *of, int seed, kit_error *err)
     return measure_seed(t, seed - t->from, err);
 }
 
-/* In a process a core; then what these did not, which says why. */
+/* Measures in one process a core. Seeds that failed there are measured once more here, and the error says why. */
 static int measure_all(trial *t, kit_error *err)
 {
     const ahead a = { "seeds", NULL, t->from, t->count, NULL, measure_one, t };
@@ -168,8 +156,7 @@ static int measure_all(trial *t, kit_error *err)
 
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
 
-/* Of the errors of column i, less those of column from (below 0: of nothing), where seeds are of a kind (below 0:
-   all). */
+/* Errors of column i, less those of column from (unless below 0), over seeds of a kind (below 0: of all kinds). */
 static spread errors_of(const trial *t, int i, int from, int kind)
 {
     double value[MOST_SEEDS];
@@ -180,7 +167,7 @@ static spread errors_of(const trial *t, int i, int from, int kind)
     return spread_of(value, t->count);
 }
 
-/* Bands of noise or of error, in thousandths, over the scenes where they are known; and how they differ. */
+/* Prints bands of noise or error, in thousandths, over scenes where they are known, and the difference to from's. */
 static void print_bands(const trial *t, int i, int from, int first, const char *what)
 {
     static double own[MOST_SEEDS], other[MOST_SEEDS];
@@ -230,7 +217,7 @@ static int write_csv(const trial *t, kit_error *err)
     return fclose(f) ? kit_fail(err, "%s: cannot be written", t->out) : 0;
 }
 
-/* Another build's figures go into the columns from MOST_TRIED on. */
+/* Reads another build's figures into the columns from MOST_TRIED on. */
 static int read_other(trial *t, kit_error *err)
 {
     FILE *f = fopen(t->other, "r");
@@ -245,6 +232,28 @@ static int read_other(trial *t, kit_error *err)
 }
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
+
+static const char usage[] = "try [options] METHOD[:KEY=VALUE,..] ..";
+static const kit_help_entry help[] = {
+    { NULL, "Tries settings on scenes by seed. For each it prints the relative error, the noise, and the difference "
+            "from the first settings, scene by scene. Images are 1280x720." },
+    { "METHOD[:KEY=VALUE,..]", "A method and its settings, as build/render takes them: hsao:samples=12." },
+    { "--from SEED", "The first seed [0]." },
+    { "--count N", "The number of scenes, at least 2 [28]." },
+    { "--scenes NAME", "random:KIND takes scenes of one kind, models takes a model of a package for each seed, and "
+                       "model:NAME that model alone [random]." },
+    { "--light", "Measures irradiance under the scenes' own environments, without a bounce." },
+    { "--bounce", "Measures one bounce alone." },
+    { "--radius F", "Multiplies the radius of each scene by F [1]." },
+    { "--quick", "Measures the error alone, not the noise." },
+    { "--judge yes", "Allows seeds from 1000 on. The charts report on these, so that nothing may be tuned on them." },
+    { "--against F.csv", "Compares with the file that another build wrote for the same settings in the same order, "
+                         "for example in another work tree." },
+    { "--out F.csv", "The file to write [build/try.csv]: the seed, then for each of the settings the error, four bands "
+                     "of noise and four of error. nan is not measured. examples/lab/ranks.py compares the ranks of two "
+                     "such files." },
+    { NULL, NULL }
+};
 
 static int add_entry(trial *t, const char *text, kit_error *err)
 {
@@ -290,17 +299,14 @@ static int parse(trial *t, int argc, char **argv, kit_error *err)
         return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on need --judge yes, for "
                              "nobody tunes on them", SEEDS_JUDGED);
     if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
-    return t->entries
-             ? 0
-             : kit_fail(err, "usage: try [--from 0] [--count 28] [--light | --bounce] [--radius 1] "
-                             "[--out build/try.csv] [--against other.csv] [--scenes random:KIND | models] "
-                             "[--judge yes] [--quick] METHOD[:key=value,..] ..");
+    return t->entries ? 0 : kit_fail(err, "a method is missing: %s (--help explains it)", usage);
 }
 
 int main(int argc, char **argv)
 {
     static trial t;
     kit_error err = { "" };
+    if (kit_help(argc, argv, usage, help)) return 0;
     int failed = parse(&t, argc, argv, &err);
     if (!failed) {
         t.seed = mmap(NULL, MOST_SEEDS * sizeof *t.seed, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

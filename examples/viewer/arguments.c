@@ -1,4 +1,4 @@
-/* arguments.c - the command line, whose names and values are build/render's where that has them. */
+/* arguments.c - the command line. Options have the names and values of build/render's if it has them, too. */
 #include "viewer.h"
 #include <math.h>
 #include <stdio.h>
@@ -109,7 +109,7 @@ static int take_scale(viewer *v, const char *name, const char *value)
     return must(v, !between(value, 0.1, 1, &v->pace.fixed), name, value, "be auto or a number in 0.1..1");
 }
 
-/* Numbers, each between two others. */
+/* An option whose value is numbers, each within its limits. */
 static int take_number(viewer *v, asked *to, const char *name, const char *value)
 {
     const struct {
@@ -142,7 +142,7 @@ static int take_number(viewer *v, asked *to, const char *name, const char *value
     return kit_fail(&v->err, "%s: there is no such option (--help names all)", name);
 }
 
-/* An option with its value, "" where there is none. */
+/* Takes an option with its value, "" if it has none. */
 static int option(viewer *v, asked *to, const char *name, const char *value)
 {
     const struct {
@@ -180,7 +180,7 @@ static int option(viewer *v, asked *to, const char *name, const char *value)
     return take_number(v, to, name, value);
 }
 
-/* An option that stands alone. */
+/* An option without a value. */
 static int alone(viewer *v, asked *to, const char *name)
 {
     if (!strcmp(name, "--help") || !strcmp(name, "-h")) to->help = 1;

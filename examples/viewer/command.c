@@ -1,4 +1,4 @@
-/* command.c - the picture of the left half as a line for build/render. */
+/* command.c - a command line of build/render that draws the picture of the left half. */
 #include "viewer.h"
 #include <stdarg.h>
 #include <stdio.h>
@@ -22,7 +22,7 @@ add(line *l, const char *format, ...)
     va_end(list);
 }
 
-/* As a shell reads it. */
+/* Adds a word, quoted as a shell needs it. */
 static void add_word(line *l, const char *word)
 {
     const char *plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=,+";
@@ -42,7 +42,7 @@ static void add_numbers(line *l, const char *before, const float v[3])
     add(l, "%s%.9g,%.9g,%.9g", before, (double)v[0], (double)v[1], (double)v[2]);
 }
 
-/* In the scene's own coordinates. */
+/* Adds a place, in the scene's own coordinates. */
 static void add_place(line *l, const viewer *v, const char *before, const float at[3])
 {
     const double *origin = v->scene.mesh.origin;

@@ -1,6 +1,6 @@
-/* draw.c - a frame: the kit's G-buffer, each half's method on it as the kit draws frames, both halves into the window.
-   At rest each frame's projection moves by less than a pixel, and the mean of the frames is shown: edges are smooth.
-   Declared in viewer.h. */
+/* draw.c - draws a frame: the kit's G-buffer, each half's method on it by the kit's kit_frames, both halves into the
+   window. At rest each frame's projection moves by less than a pixel, and the mean of the frames is shown, which
+   smooths edges. Declared in viewer.h. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 
 static const char screen_vs[] =
     "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }\n";
-static const char resolve_fs[] = /* visibility; or albedo * (light + bounce), light that is in both once */
+static const char resolve_fs[] = /* visibility; or albedo * (light + bounce), less what both contain */
     "uniform sampler2D light, bounce, joint, albedo, depth;\n"
     "uniform int lit, margin; uniform float farthest;\n"
     "out vec4 o;\n"
@@ -22,7 +22,8 @@ static const char resolve_fs[] = /* visibility; or albedo * (light + bounce), li
     "    vec3 sent = seen ? texelFetch(albedo, p, 0).rgb * l : vec3(0.0);\n"
     "    o = vec4(lit < 0 ? texelFetch(light, p, 0).xxx : sent, seen);\n"
     "}\n";
-/* kind 0: visibility; 1: that on colours; 2: radiance, before the environment. ray: of a pixel, in view space. */
+/* kind 0: visibility; 1: visibility times colours; 2: radiance, before the environment. ray: of a pixel, in view
+   space. */
 static const char display_fs[] =
     "uniform sampler2D half0, half1, albedo, sky;\n"
     "uniform vec4 ray, window; uniform mat3 to_world; uniform float split, behind, part;\n"
@@ -97,7 +98,7 @@ void draw_close(viewer *v)
 
 /* ---- >>frame ----------------------------------------------------------------------------------------------------- */
 
-/* A picture of another size to draw into, in place of the one that is there. */
+/* Replaces a picture to draw into by one of another size. */
 static void renew(GLuint *picture, GLuint *framebuffer, const int size[2])
 {
     if (*picture) glDeleteTextures(1, picture);
@@ -111,7 +112,7 @@ static void renew(GLuint *picture, GLuint *framebuffer, const int size[2])
 
 static int drawn(const viewer *v, int i) { return (!i || v->split_on) && !v->side[i].truth; }
 
-/* Sizes are the window's, or less. 1: they are others than before. */
+/* Sets the size of pictures to the window's, or less. 1: it has changed. */
 static int fit(viewer *v)
 {
     int size[2];
@@ -126,7 +127,7 @@ static int fit(viewer *v)
     return 1;
 }
 
-/* A half's result as its picture. */
+/* Draws a half's result into its picture. */
 static void resolve(const viewer *v, const side *s)
 {
     const kit_run *run = s->frames.now;
@@ -145,7 +146,7 @@ static void resolve(const viewer *v, const side *s)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/* A method that fails is said so once, and not tried again until something is chosen. */
+/* Reports a method's failure once; the method is not tried again until the user chooses something. */
 static int side_failed(viewer *v, side *s)
 {
     static const GLfloat grey[4] = { 0.05f, 0.05f, 0.05f, 1 };
@@ -174,10 +175,11 @@ static int side_draw(viewer *v, side *s, int opens)
     return 0;
 }
 
-/* The truth is of the pixels' centres, and is compared with a picture of these. */
+/* Whether frames are averaged. Not beside the ground truth: that is of the pixels' centres, and so must be the
+   picture. */
 static int averages(const viewer *v) { return v->pace.still && !v->error && !(v->split_on && v->side[1].truth); }
 
-/* The halves' runs are of the last frame's G-buffer until they have moved on to this one's. */
+/* Draws both halves. Their runs use the last frame's G-buffer until they have moved on to this one's. */
 static int draw_sides(viewer *v, int opens)
 {
     kit_gbuffer *next = v->seen == &v->gbuffer[0] ? &v->gbuffer[1] : &v->gbuffer[0];
@@ -202,7 +204,7 @@ static int draw_sides(viewer *v, int opens)
 
 /* ---- >>window ---------------------------------------------------------------------------------------------------- */
 
-/* The environment for what lies behind the scene. */
+/* The environment as a texture, shown behind the scene. */
 static GLuint sky_of(viewer *v)
 {
     const kit_image *env = &v->light.now.env;
@@ -215,7 +217,7 @@ static GLuint sky_of(viewer *v)
     return v->light.texture;
 }
 
-/* Where a pixel looks. */
+/* Sets the direction of each pixel's ray. */
 static void aim(const viewer *v, GLuint program, int sky)
 {
     const float *p = v->seen->projection, width = (float)v->size[0], height = (float)v->size[1];
@@ -234,7 +236,7 @@ static int kind_of(const viewer *v, const side *s)
     return (s->truth ? v->truth.method.lit : s->method.lit) ? 2 : v->colours;
 }
 
-/* Both halves; part: their weight over what is there. */
+/* Shows both halves; part: their weight over the framebuffer's content. */
 static void show(viewer *v, GLuint framebuffer, float part)
 {
     const side *s = v->side, *right = v->split_on ? &s[1] : s;
@@ -256,7 +258,7 @@ static void show(viewer *v, GLuint framebuffer, float part)
     glActiveTexture(GL_TEXTURE0);
 }
 
-/* A picture that is new may hold what are no numbers: a mean's first frame is not blended. */
+/* A new picture may hold NaN, so the first frame of a mean is not blended. */
 static void add_to_mean(viewer *v)
 {
     if (v->mean) glEnable(GL_BLEND);
@@ -281,13 +283,13 @@ static void show_mean(const viewer *v)
 
 /* ---- >>next ---------------------------------------------------------------------------------------------------- */
 
-/* Once something was chosen, the first frame compiles; the next two tell how long a frame takes. */
+/* After a choice of the user, the first frame compiles, and the next two measure the time of a frame. */
 static int opens_again(const viewer *v)
 {
     return v->moved || v->restart || !v->seen || averages(v) || (v->pace.opened < (v->pace.still ? 1 : 3) && !v->shot);
 }
 
-/* Another frame of the same size would not differ. */
+/* Whether another frame of the same size would look the same. */
 static int drawn_enough(const viewer *v)
 {
     int more = opens_again(v);
@@ -302,7 +304,7 @@ int draw_settled(const viewer *v)
     return drawn_enough(v) && pace_waits(&v->pace);
 }
 
-/* A method draws of surfels. */
+/* Whether a shown method uses surfels. */
 static int of_surfels(const viewer *v)
 {
     int found = 0;
@@ -330,13 +332,13 @@ int draw_frame(viewer *v)
     ++v->still;
     ++v->frame;
     if (!opens || ++v->pace.opened < 2 || !pace_took(&v->pace, v->ms, of_surfels(v))) return 0;
-    if (!v->panel) panel_say(v, "the size goes by what there is time for (f: fixed)");
+    if (!v->panel) panel_say(v, "the size is chosen by the frame's time (f: fixed)");
     return 0;
 }
 
 /* ---- >>truth ---------------------------------------------------------------------------------------------------- */
 
-/* The truth so far as a texture; rows turn over. */
+/* Uploads the present ground truth as a texture, with its rows reversed. */
 static int truth_upload(viewer *v)
 {
     const int w = v->truth.camera.width, height = v->truth.camera.height, lit = v->truth.method.lit;
@@ -363,7 +365,7 @@ static int truth_upload(viewer *v)
     return 0;
 }
 
-/* The truth beside what is drawn, and the error of that. */
+/* Shows the ground truth beside the method, and the method's error. */
 static void show_truth(viewer *v)
 {
     int failed = truth_want(&v->truth, &v->seen->camera, &v->side[0].method, v->radius, &v->err);

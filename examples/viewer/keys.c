@@ -1,4 +1,4 @@
-/* keys.c - what keys do, and the table of them. */
+/* keys.c - the effects of keys, and their table. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
 #include <math.h>
@@ -15,7 +15,7 @@ static int methods(void)
     return count;
 }
 
-/* The method by so many in the list; that of the right half may be the truth, behind the last. */
+/* Changes the method by so many in the list; the right half may have the ground truth, after the last method. */
 static void method(press p)
 {
     viewer *v = p.v;
@@ -44,7 +44,7 @@ static void wish_both(viewer *v, const char *text)
     panel_say(v, text);
 }
 
-/* The next value of a setting that is a choice, or 0 and 1. */
+/* Sets the next value of a setting that is a choice, or of one that is 0 or 1. */
 static void next_value(press p)
 {
     viewer *v = p.v;
@@ -58,7 +58,7 @@ static void next_value(press p)
         return;
     }
     const int next = (int)s.value + 1 > (int)s.most ? (int)s.least : (int)s.value + 1;
-    snprintf(text, sizeof text, "%s=%d", name, next);       /* a choice takes the number of its word, too */
+    snprintf(text, sizeof text, "%s=%d", name, next);       /* a choice also takes the number of its word */
     wish_both(v, text);
 }
 
@@ -121,7 +121,7 @@ static void say_sun(viewer *v)
     say_light(v, text);
 }
 
-/* Degrees about the vertical, and up. */
+/* Turns the sun by degrees about the vertical, and upwards. */
 static void turn_sun(viewer *v, double about, double up)
 {
     light_changed(v);

@@ -1,4 +1,4 @@
-/* panel.c - text over the picture: what is drawn, its passes with their times, what was just done, the keys. */
+/* panel.c - text over the picture: the methods, their passes with times, the last action, the keys. */
 #include "viewer.h"
 #include <math.h>
 #include <stdarg.h>
@@ -44,7 +44,8 @@ typedef struct corner {
     unsigned char colour[4];
 } corner; /* stb_easy_font's */
 
-/* Text as quads of four corners: how many. A tab goes on at the next stop; size: of the box around all. */
+/* Makes quads of four corners of a text and returns their number. A tab continues at the next stop; size: of the box
+   around all. */
 static int lay_out(float size[2], corner *quads, int room, float x, float y, const char *text)
 {
     enum { STOP = 64 };
@@ -76,7 +77,7 @@ static int lay_out(float size[2], corner *quads, int room, float x, float y, con
     return count;
 }
 
-/* Quads as triangles, in one colour. */
+/* Draws quads as triangles, in one colour. */
 static void draw_quads(viewer *v, const corner *quads, int count, const float colour[4])
 {
     static float triangles[18 * QUADS];
@@ -95,10 +96,10 @@ static void draw_quads(viewer *v, const corner *quads, int count, const float co
     kit_soup_close(&soup);
 }
 
-/* The list of keys is small enough to stay one column where that is possible. */
+/* The scale of text: if possible, the list of keys fits one column. */
 static float scale_of(const viewer *v) { return v->help ? v->size[1] >= 700 ? 1.5f : 1 : v->size[1] >= 500 ? 2 : 1; }
 
-/* At a corner, or beside it so that it ends in the window: x, y may be as large as they please. Where it ends. */
+/* Prints a text at x, y, or nearer if it would leave the window; these may be arbitrarily large. Returns its end. */
 static float print(viewer *v, float x, float y, const char *text)
 {
     static corner quads[4 * QUADS];
@@ -123,7 +124,7 @@ static float print(viewer *v, float x, float y, const char *text)
     return y - 2 * pad;
 }
 
-/* Lines no longer than the window, broken at blanks where there are any. */
+/* Wraps lines to the window's width, at blanks if there are any. */
 static void wrap(char *out, size_t size, const char *text, float width)
 {
     char line[256];
@@ -162,7 +163,7 @@ add(char *text, size_t size, const char *format, ...)
     va_end(list);
 }
 
-/* Passes with their times; those of one kind that follow each other as one line. */
+/* Lists passes with their times; successive passes of one kind are one line. */
 static void describe_passes(char *text, size_t size, const kit_run *run)
 {
     const int digits = kit_gl_is_software() ? 0 : 3;
@@ -192,7 +193,7 @@ static void describe(char *text, size_t size, const viewer *v, const side *s)
     else if (s->frames.now) describe_passes(text, size, s->frames.now);
 }
 
-/* The scene, the size, the settings that are not the method's own. */
+/* The scene, the size, and the settings that differ from the method's defaults. */
 static void describe_frame(char *text, size_t size, const viewer *v)
 {
     const double about = v->scene.mesh.triangles < 100000 ? 1 : 1e-3;
@@ -210,7 +211,8 @@ static void describe_frame(char *text, size_t size, const viewer *v)
         *set ? ", " : "", set);
 }
 
-/* In as few columns as the window is high enough for, at its left side: the middle of the picture stays to be seen. */
+/* The list of keys in as few columns as the window's height allows, at its left side, so that the middle stays
+   visible. */
 static void describe_keys(char *text, size_t size, const viewer *v)
 {
     static const char *const mouse[][2] = { { "drag", "orbit; right drag: pan; wheel: zoom" },

@@ -1,10 +1,10 @@
-/* pictures.c - what was drawn, read back: its error to the truth, PNG of the window, EXR of the left half. */
+/* pictures.c - reads pictures back: their error against the ground truth, PNG of the window, EXR of the left half. */
 #include "viewer.h"
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-/* The truth is of what this method computes. */
+/* Whether two methods have the same ground truth. */
 static int of_that_kind(const kit_method *a, const kit_method *b)
 {
     return a->lit == b->lit && a->between == b->between && a->effect == b->effect

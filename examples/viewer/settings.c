@@ -1,4 +1,4 @@
-/* settings.c - the methods of the halves, and the settings that are wished for of whichever is shown. */
+/* settings.c - the methods of the halves, and the user's settings, which each shown method gets if it has them. */
 #include "viewer.h"
 #include <stdio.h>
 #include <string.h>

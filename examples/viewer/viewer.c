@@ -1,12 +1,13 @@
-/* viewer.c - a window onto a scene: methods live, beside another or beside the truth, with their error and times.
+/* viewer.c - a window onto a scene: methods live, beside another or beside the ground truth, with their error and
+   times.
 
-      build/viewer                               build/viewer model.glb --method hsao --right truth
-      build/viewer model.obj --method s3ho-best  keys: h; options: --help
+     build/viewer                               build/viewer model.glb --method hsao --right truth
+     build/viewer model.obj --method s3ho-best  keys: h; options: --help
 
-   To put ssgi into a program of your own, copy a page of examples/hosts, not this: frames are the kit's here, as they
-   are build/render's. arguments.c: the command line; keys.c, input.c: keys, mouse, drops; load.c: scenes and light;
-   settings.c: methods; draw.c: a frame; motion.c: what slid; pace.c: its size; panel.c: text; command.c, pictures.c:
-   what is written; truth.c: rays beside the drawing. */
+   To put ssgi into a program of your own, copy a page of examples/hosts, not this: frames are drawn by the kit here, as
+   in build/render. arguments.c: the command line; keys.c, input.c: keys, mouse, drops; load.c: scenes and light;
+   settings.c: methods; draw.c: a frame; motion.c: motion of the sliding object; pace.c: the frame's size; panel.c:
+   text; command.c, pictures.c: output; truth.c: ray tracing beside the drawing. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
 #include <math.h>
@@ -38,7 +39,7 @@ static int open_methods(viewer *v, const asked *to)
     return 0;
 }
 
-/* The scene's camera, or what was asked for instead. */
+/* The scene's camera, with the options that replace parts of it. */
 static int open_camera(viewer *v, const asked *to)
 {
     kit_camera *c = &v->camera;
@@ -85,7 +86,7 @@ static int open_all(viewer *v, const asked *to)
 
 /* ---- >>run ------------------------------------------------------------------------------------------------------- */
 
-/* The frame that --shot is of was drawn, and a truth that is looked at has had its first rays. */
+/* Whether the frame for --shot was drawn, and a shown ground truth has its first rays. */
 static int shot_drawn(const viewer *v) { return v->shot && v->frame >= (unsigned)(v->frames ? v->frames : 1); }
 
 static int shot_now(const viewer *v) { return shot_drawn(v) && (!v->error || v->shown.rounds); }
@@ -101,7 +102,7 @@ static int take_shot(viewer *v)
     return window_save(v, v->shot);
 }
 
-/* What is to be shown is not what was shown last. */
+/* Whether the next picture of the window would differ from the last. */
 static int to_show(viewer *v)
 {
     const int says = panel_says(v), traced = v->error || (v->split_on && v->side[1].truth);
@@ -112,7 +113,7 @@ static int to_show(viewer *v)
     return v->redraw || traced;
 }
 
-/* A frame where there is one to draw, the window where it would show something else. */
+/* Draws a frame if it is due, and the window if it would change. */
 static int turn(viewer *v)
 {
     const double now = kit_seconds();
@@ -136,7 +137,7 @@ static int turn(viewer *v)
     return 0;
 }
 
-static int run(viewer *v) /* until the window is closed, or the picture is taken */
+static int run(viewer *v) /* runs until the window is closed or --shot is taken */
 {
     v->truth.scene = &v->scene;
     v->truth.lighting = &v->light.now;
@@ -159,7 +160,7 @@ int main(int argc, char **argv)
     pthread_cond_init(&v.truth.wake, NULL);
     for (int i = 0; i < 2; ++i) v.side[i].error = (double)NAN;
     snprintf(cores, sizeof cores, "%ld", sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) - 1 : 1);
-    setenv("KIT_THREADS", cores, 0); /* one core is left to draw */
+    setenv("KIT_THREADS", cores, 0); /* one core stays free to draw */
     int failed = arguments(&v, &to, argc, argv);
     if (!failed && to.help) usage();
     else if (!failed && to.version) printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);

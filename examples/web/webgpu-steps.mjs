@@ -10,15 +10,15 @@ const usage = { texture: 1 | 2 | 4 | 16, uniform: 64 | 8 };                     
 function planOf(ssgi, steps) {
     const textures = [];
     for (const { outputs, width, height } of steps)
-        for (const { texture, format: { webgpu }, slices, kept, result } of outputs)
-            textures[texture] = { format: webgpu, size: [width, height], slices, kept, result };
+        for (const { texture, format: { webgpu }, layers, kept, result } of outputs)
+            textures[texture] = { format: webgpu, size: [width, height], layers, kept, result };
     return { textures, steps: steps.map(step => ({
         desc: step.desc, rows: ssgi.rows(step.desc), blend: null, clear: step.clear ? step.clear_to : null,
         vertices: step.vertices, instances: step.instances,
         inputs: step.inputs.map(({ binding, array, integer, meaning, texture, last }) => ({
             binding, sample: integer ? 'uint' : 'unfilterable-float', dimension: array ? '2d-array' : '2d',
             yours: meaning, texture, last })),
-        outputs: step.outputs.map(({ texture, slice, format: { webgpu } }) => ({ texture, slice, format: webgpu }))
+        outputs: step.outputs.map(({ texture, layer, format: { webgpu } }) => ({ texture, layer, format: webgpu }))
     })) };
 }
 
@@ -66,11 +66,11 @@ export class Drawer {
         return this.#modules.get(key);
     }
 
-    texture(width, height, format, slices = 0) {
-        return this.#device.createTexture({ format, size: [width, height, slices || 1], usage: usage.texture });
+    texture(width, height, format, layers = 0) {
+        return this.#device.createTexture({ format, size: [width, height, layers || 1], usage: usage.texture });
     }
     /* Four floats a texel, the first row first; into: a texture of that size, or a new one is made. */
-    floats(rgba, width, height, slices = 0, into = this.texture(width, height, 'rgba32float', slices)) {
+    floats(rgba, width, height, layers = 0, into = this.texture(width, height, 'rgba32float', layers)) {
         this.#device.queue.writeTexture({ texture: into }, rgba, { bytesPerRow: 16 * width }, [width, height]);
         return into;
     }

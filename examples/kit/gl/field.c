@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>baked: each shape once a process -------------------------------------------------------------------------- */
+/* ---- >>baked: each shape is baked once in a process -------------------------------------------------------------- */
 
 typedef struct baked { struct baked *next; uint64_t key; ssgi_field field; double seconds; uint32_t texels[]; } baked;
 static baked *all;

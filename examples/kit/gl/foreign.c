@@ -1,9 +1,9 @@
-/* foreign.c - frames of other programs: their channels by the kit's names. Declared in kit_gl.h. */
+/* foreign.c - renames the channels of other programs' frames to the kit's names. Declared in kit_gl.h. */
 #include "kit/kit_gl.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* The passes of a view layer as Blender writes them: LAYER.Depth.Z and so on. */
+/* Channels of a view layer as Blender writes them: LAYER.Depth.Z and so on. */
 enum { DEPTH, NORMAL, COLOUR = 4, LIGHT = 7, PASSES = 10 };
 static const struct { const char *theirs, *ours; } pass_names[PASSES] = {
     { "Depth.Z", "Z" },          { "Normal.X", "N.X" },       { "Normal.Y", "N.Y" },       { "Normal.Z", "N.Z" },
@@ -26,8 +26,8 @@ static int pass_of(const kit_image *frame, const char *layer, int pass)
     return number_of(frame, name);
 }
 
-/* All channels, or all view layers with a depth, into text, as far as there is room; how many there are. The last of
-   the layers goes into one. */
+/* Lists all channels, or all view layers with a depth, in text, as far as there is room, and returns their number. one
+   gets the last layer. */
 static int list(char *text, size_t size, const kit_image *frame, int layers, char one[32])
 {
     size_t length = 0;
@@ -75,8 +75,8 @@ static int passes_there(const kit_image *frame, const char *layer, int first, in
     return 1;
 }
 
-/* Depth, with 1e10 where nothing is; normals of the world; the colour of diffuse surfaces, and with that direct light,
-   which they are lit by. */
+/* Takes depth (1e10 = background), world-space normals, the colour of diffuse surfaces and, if that exists, the direct
+   light on them. */
 static int take_layer(kit_image *frame, const char *layer, const kit_camera *camera, int placed, kit_error *err)
 {
     const size_t pixels = (size_t)frame->width * (size_t)frame->height;

@@ -1,4 +1,4 @@
-/* gbuffer.c - the G-buffer: rasterised from a scene, or taken from a frame, and read back as one. Declared in
+/* gbuffer.c - the G-buffer: rasterised from a scene or taken from a frame, and read back as a frame. Declared in
    kit_gl.h. */
 #include "kit/kit_gl.h"
 #include "kit/kit_trace.h"
@@ -8,13 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A face's side is where u_eye is of its plane (facing), or of one through u_target: gl_FrontFacing would need every
-   mesh to be wound one way. u_side: 1 turns normals toward the viewer, -1 away.
+/* The visible side of a face is the side of its plane on which u_eye lies (facing); if orthographic, the side of the
+   parallel plane through u_target. (gl_FrontFacing would need all meshes to have one winding.) u_side: 1 turns normals
+   toward the viewer, -1 away.
 
-   PEEL keeps what lies behind u_previous, the view depths of the layer before, by more than 4e-6 of them. They are what
-   this same program interpolated, so a surface finds its own depth again bit by bit; the tolerance is for surfaces that
-   coincide (a box on a floor), whose depths differ by rounding. Window depth would not do: away from a near plane its
-   steps are coarser than that by far. SLAB is PEEL without normals and albedo. */
+   PEEL keeps fragments that are behind u_previous, the view depths of the layer before, by more than 4e-6 of that
+   depth. This same program interpolated those depths, so a surface finds its own depth again bit by bit; the tolerance
+   is for surfaces that coincide (a box on a floor), whose depths differ by rounding. Window depth would be too coarse
+   for it away from the near plane. SLAB is PEEL without normals and albedo. */
 static const char vertex_source[] =
     "layout(location = 0) in vec3 a_position;\n"
     "layout(location = 1) in vec3 a_normal;\n"
@@ -75,10 +76,10 @@ static const char fragment_source[] =
     "    o_albedo = vec4(v_albedo, 1.0);\n"
     "}\n";
 
-/* position, normal, facing, albedo, the object's number and two to fill up */
+/* position, normal, facing, albedo, the object's number, two floats of padding */
 enum { VERTEX_FLOATS = 15 };
 
-/* The soup as vertices. facing is the face's normal. */
+/* The triangles as vertices. facing is the face's normal. */
 static float *vertices_new(const kit_mesh *mesh)
 {
     float *vertices = malloc(mesh->triangles * 3 * VERTEX_FLOATS * sizeof *vertices + 1);
@@ -107,7 +108,7 @@ static float *vertices_new(const kit_mesh *mesh)
     return vertices;
 }
 
-/* What kit_mesh_keep keeps. */
+/* The mesh that kit_mesh_keep uploaded. */
 static struct { const kit_mesh *mesh; kit_soup soup; } kept;
 
 static int soup_open(kit_soup *soup, const kit_mesh *mesh, kit_error *err)
@@ -141,7 +142,7 @@ kit_soup *kit_mesh_kept(const kit_mesh *mesh)
     return &kept.soup;
 }
 
-/* Makes ready to draw the soup as g's camera sees it; a framebuffer without targets. */
+/* Sets GL's state to draw triangles with g's camera, and returns a framebuffer without targets. */
 static GLuint begin(const kit_gbuffer *g, GLuint program)
 {
     const int reversed = g->camera.depth != KIT_DEPTH_NORMAL;
@@ -149,7 +150,7 @@ static GLuint begin(const kit_gbuffer *g, GLuint program)
     GLuint framebuffer;
     kit_camera_matrices(&g->camera, view, projection);
     memcpy(projection, g->projection, sizeof projection);
-    /* An orthographic eye that is far away would round depths: they are drawn from the near plane on. */
+    /* A distant orthographic eye would round depths; they are drawn relative to the near plane. */
     if (!(g->camera.fovy > 0) && g->camera.znear > g->camera.zfar - g->camera.znear) {
         const double near = (double)g->camera.znear;
         double axes[3][3], eye = near;
@@ -172,8 +173,8 @@ static GLuint begin(const kit_gbuffer *g, GLuint program)
     return framebuffer;
 }
 
-/* Draws the nearest back face; the next front face behind that, and its back face, as window depths. Each pass writes
-   view depth, too, which the next one peels by. */
+/* Draws the nearest back face, the next front face behind it, and the next back face behind that, as window depths.
+   Each pass also writes view depth, by which the next pass peels. */
 static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, GLuint program, const GLuint depth[3])
 {
     static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
@@ -209,9 +210,9 @@ static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, GLuint program, cons
     return complete && glGetError() == GL_NO_ERROR;
 }
 
-/* Draws g's first layer, or with a program that peels all others; 0 if the context cannot. Peeling draws the first one
-   too, for its view depth, into the slices that the second will have; view depths go from layer to layer through a pair
-   of textures, so that none reads the array that it writes. */
+/* Draws g's first layer or, with a program that peels, all others; 0 if the context cannot. Peeling draws the first
+   layer again for its view depth, into the slices of the second layer. View depths pass from layer to layer through a
+   pair of textures, so that no pass reads the array that it writes. */
 static int draw(const kit_gbuffer *g, const kit_mesh *mesh, GLuint program, int peels)
 {
     static const GLenum targets[3] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
@@ -226,7 +227,7 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, GLuint program, int 
     if (peels) {
         for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
         glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, view_depth[1], 0);
-        glClearBufferfv(GL_COLOR, 2, zero);                    /* what the first layer is behind of */
+        glClearBufferfv(GL_COLOR, 2, zero);                    /* the previous depth of the first layer: 0 */
         glActiveTexture(GL_TEXTURE0);
     }
     for (int layer = 0; layer < (peels ? g->layers : 1) && complete; layer++) {
@@ -363,7 +364,7 @@ int kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, k
     return 0;
 }
 
-/* Three planes of texels as one texture of four components, rows as they are. */
+/* Three planes of texels as one texture of four components, with the rows in the same order. */
 static GLuint packed_slabs(const kit_gbuffer *g, const float *planes)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -405,7 +406,7 @@ int kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, k
     return 0;
 }
 
-/* the camera's planes where they are 0, from the frame's own depths */
+/* sets the camera's planes from the frame's depths if they are 0 */
 static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
 {
     float nearest = FLT_MAX, farthest = 0;
@@ -415,7 +416,7 @@ static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
             farthest = z[i] > farthest ? z[i] : farthest;
         }
     if (farthest <= 0) { nearest = 1; farthest = 100; }
-    if (!(camera->fovy > 0) && !(camera->znear > 0)) {     /* close, so that ssgi counts depth from there */
+    if (!(camera->fovy > 0) && !(camera->znear > 0)) {     /* near the eye, where depth then begins */
         const float spare = 1e-3f * nearest + 0.01f * (farthest - nearest);
         camera->znear = nearest - spare;
         if (!(camera->zfar > 0)) camera->zfar = farthest + spare;
@@ -425,7 +426,7 @@ static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
     if (!(camera->zfar > camera->znear)) camera->zfar = 2.0f * camera->znear;
 }
 
-/* Channels of a layer; DIRECT is the first layer's alone. */
+/* Channels of a layer; only the first layer has DIRECT. */
 enum { Z, N, ALBEDO = 4, DIRECT = 7, CHANNELS = 10 };
 static const char *const channel_names[CHANNELS] =
     { "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B", "direct.R", "direct.G", "direct.B" };
@@ -438,8 +439,8 @@ static void channel_name(char out[32], int layer, int c)
     else       snprintf(out, 32, "%s", channel_names[c]);
 }
 
-/* Channels first .. last - 1 of a layer: 1 if all are there, 0 if none is, -1 if some are missing; the line names the
-   first of these. */
+/* Finds channels first .. last - 1 of a layer: 1 if it has all, 0 if none, -1 if some; the error names a missing
+   one. */
 static int channels_find(const float **channel, const kit_image *frame, int layer, int first, int last, kit_error *err)
 {
     char name[32], missing[32] = "";
@@ -458,11 +459,11 @@ static int channels_find(const float **channel, const kit_image *frame, int laye
                                   missing);
 }
 
-/* What of a frame's channels there is. */
+/* The channels that a frame has. */
 typedef struct frame_channels {
     const float *layer[KIT_MAX_LAYERS][CHANNELS], *slab[3], *motion[2];
     int          layers, normals, colours, lit;
-    size_t       slabs;                    /* 0, 1: the nearest back face, 3: two slabs */
+    size_t       slabs;                    /* 0; 1: the nearest back face; 3: two slabs */
 } frame_channels;
 
 static int channels_of(frame_channels *f, const kit_image *frame, kit_error *err)
@@ -493,14 +494,14 @@ static int channels_of(frame_channels *f, const kit_image *frame, kit_error *err
     return 0;
 }
 
-/* Where the frame has texel i of a texture, whose rows run the other way. */
+/* The frame's index of texel i of a texture, whose rows run the other way. */
 static size_t frame_row(const kit_gbuffer *g, size_t i)
 {
     const size_t width = (size_t)g->width;
     return (size_t)g->height * width - (i / width + 1) * width + i % width;
 }
 
-/* Texel at of the layers, one behind the other: depth, normal and colours as the frame has them. */
+/* Reads depth, normal and colours of texel `at` from the frame; texels of all layers are numbered in one sequence. */
 static void take_texel(const kit_gbuffer *g, const frame_channels *f, size_t at, float *depth, float *normal,
                        float *albedo, float *direct)
 {
@@ -522,7 +523,7 @@ static void take_texel(const kit_gbuffer *g, const frame_channels *f, size_t at,
     }
 }
 
-/* room: for 9 floats a texel of each layer, and 4 more a texel, all 0 */
+/* room: 9 floats a texel of each layer and 4 more a texel, all 0 */
 static void take_layers(kit_gbuffer *g, const frame_channels *f, float *room)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height, all = (size_t)g->layers * texels;
@@ -539,7 +540,7 @@ static void take_layers(kit_gbuffer *g, const frame_channels *f, float *room)
         g->layer_albedo = kit_texture_array(g->width, g->height, g->layers - 1, GL_RGBA16F, albedo + 4 * texels);
 }
 
-/* What lies behind, and where it was; room as above. */
+/* Fills the textures of back faces and motion from the frame; room as above. */
 static void take_slabs_and_motion(kit_gbuffer *g, const frame_channels *f, float *room)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -588,7 +589,7 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
     return 0;
 }
 
-/* window depth to view depth, 0 where it is the clear value; from the projection itself, so any frustum will do */
+/* Window depth to view depth, 0 for the clear value; by the projection matrix, so that it holds for any frustum. */
 static double view_depth(const kit_gbuffer *g, double depth)
 {
     const float *p = g->projection;
@@ -599,7 +600,7 @@ static double view_depth(const kit_gbuffer *g, double depth)
     return ((double)p[14] - z * (double)p[15]) / ((double)p[10] - z * (double)p[11]);
 }
 
-/* a layer of the textures: 2D ones for the first, slices of arrays for the others */
+/* reads a layer: the first from a 2D texture, the others from slices of an array */
 static int layer_read(GLuint texture, GLuint array, int layer, const kit_gbuffer *g, int components, float *out)
 {
     return layer ? kit_texture_slice_read(array, layer - 1, g->width, g->height, components, out)
@@ -617,14 +618,14 @@ static void names_add(char *names, size_t size, int layer, int first, int last)
     }
 }
 
-/* Where a texture has pixel i of the picture, whose rows run the other way. */
+/* The texture's index of pixel i of the picture, whose rows run the other way. */
 static size_t texel_of(const kit_gbuffer *g, size_t i)
 {
     const size_t width = (size_t)g->viewport[2], y = (size_t)g->viewport[3] - 1 - i / width;
     return ((size_t)g->viewport[1] + y) * (size_t)g->width + (size_t)g->viewport[0] + i % width;
 }
 
-/* A layer into its channels. room: 13 floats a texel. */
+/* Reads a layer into its channels. room: 13 floats a texel. */
 static int read_layer(kit_image *image, const kit_gbuffer *g, int layer, float *room)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height, colours = g->normal ? ALBEDO : N,
@@ -653,7 +654,7 @@ static int read_layer(kit_image *image, const kit_gbuffer *g, int layer, float *
     return 0;
 }
 
-/* So many slabs' depths; room: 4 floats a texel */
+/* Reads the depths of slabs; room: 4 floats a texel. */
 static int read_slabs(kit_image *image, const kit_gbuffer *g, size_t slabs, float *room)
 {
     const size_t pixels = (size_t)g->viewport[2] * (size_t)g->viewport[3];

@@ -26,9 +26,9 @@ static struct {
     uint8_t     osmesa_buffer[16 * 16 * 4];
 } gl;
 
-/* Opens the first library of names and fills the function pointers; NULL if there is none. It is never closed: Mesa's
-   compiler threads do not survive that. C has no cast from dlsym's pointer to one to a function; POSIX promises that
-   the copy works. */
+/* Opens the first library of names that exists and fills the function pointers; NULL if none exists. It is never
+   closed: Mesa's compiler threads do not survive that. C has no cast from dlsym's object pointer to a function pointer;
+   POSIX promises that copying it works. */
 static void *library(const char *const *names, const char *const *symbols, void *const *functions)
 {
     void *l = NULL;
@@ -120,15 +120,15 @@ static int is_rasteriser(const char *renderer)
     return found;
 }
 
-/* Of the context that is current. A display adapter without a 3D engine is a hardware device that Mesa's rasteriser
-   draws for. */
+/* Whether the CPU draws for the current context. EGL lists a display adapter without a 3D engine as hardware, but
+   Mesa's rasteriser draws for it. */
 static int egl_is_software(void)
 {
     const PFNGLGETSTRINGPROC get = (PFNGLGETSTRINGPROC)egl.proc("glGetString");
     return get && is_rasteriser((const char *)get(GL_RENDERER));
 }
 
-/* 1 when a context on this display is current; software 0: not one that the CPU draws for, 2: no other. */
+/* 1 if it made a context on this display current. software 0: none that the CPU draws for; 2: only those. */
 static int egl_try(void *display, int es, int software)
 {
     static const int32_t versions[2][3] = { { 45, 43, 0 }, { 32, 31, 30 } };
@@ -151,7 +151,7 @@ static int egl_try(void *display, int es, int software)
     return 0;
 }
 
-/* cpu: one that the CPU draws for, whatever else there is */
+/* cpu: 1 = only a context that the CPU draws for */
 static int egl_open(int es, int cpu, kit_error *err)
 {
     static const char *const names[] = { "libEGL.so.1", "libEGL.so", NULL };
@@ -184,7 +184,7 @@ static int egl_open(int es, int cpu, kit_error *err)
 
     if (strstr(client, "EGL_EXT_platform_device") && egl.query_devices && egl.device_string)
         if (!egl.query_devices(EGL_MAX_DEVICES, devices, &count)) count = 0;
-    /* whatever a GPU draws for first; of what a CPU draws for the surfaceless platform before devices */
+    /* first any device that a GPU draws for; of software, the surfaceless platform before devices */
     const int surfaceless = strstr(client, "EGL_MESA_platform_surfaceless") != NULL;
     for (int software = cpu; software < 2; software++) {
         if (software && surfaceless
@@ -218,7 +218,7 @@ static int has_extension(const char *name)
     return 0;
 }
 
-/* By version rather than by what the loader returns: libglvnd hands out an entry for any name that begins with gl. */
+/* Decides by version if a function exists: libglvnd's loader returns a pointer for any name that begins with gl. */
 static int load(kit_error *err)
 {
     function (*const proc)(const char *) = gl.proc;
@@ -253,13 +253,13 @@ static int load(kit_error *err)
     return 0;
 }
 
-/* A program that ends while Mesa's rasteriser draws may never end: its threads are then waited for, and wait. */
+/* If a program ends while Mesa's rasteriser draws, the exit can hang: it waits for threads that wait themselves. */
 static void finish_drawing(void)
 {
     if (gl.vertex_array) glFinish();
 }
 
-/* Functions, and the state that the kit expects; result: of opening the context. */
+/* Loads the functions and sets the state that the kit expects; result: of opening the context. */
 static int make_ready(int result, kit_error *err)
 {
     static int at_exit;
@@ -269,7 +269,7 @@ static int make_ready(int result, kit_error *err)
     glBindVertexArray(gl.vertex_array);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (!at_exit) at_exit = !atexit(finish_drawing);       /* before Mesa's own, which it registered just now */
+    if (!at_exit) at_exit = !atexit(finish_drawing);       /* runs before Mesa's handler, which was just registered */
     return 0;
 }
 
@@ -337,7 +337,7 @@ static const struct format { GLenum internal, format; int components; GLenum typ
     { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 1, GL_FLOAT },
 };
 
-/* floats to the type that GLES insists on for the format; NULL when there is no memory */
+/* converts floats to the type that GLES demands for the format; NULL: no memory */
 static void *packed(const float *data, size_t count, GLenum type)
 {
     void *out = malloc(count * (type == GL_UNSIGNED_BYTE ? 1 : 4) + 1);
@@ -398,19 +398,19 @@ void kit_texture_linear(GLenum target)
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-/* slice -1: a texture that is no array */
+/* slice -1: the texture is not an array */
 static void attach_to_read(GLenum attachment, GLuint texture, int slice)
 {
     if (slice < 0) glFramebufferTexture2D(GL_READ_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
     else           glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, attachment, texture, 0, slice);
 }
 
-/* Depth, a float a texel, then spread to four. */
+/* Reads depth, one float a texel, and spreads it to four. */
 static void read_depth(int width, int height, float *data)
 {
     const size_t texels = (size_t)width * (size_t)height;
     glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, data);
-    if (glGetError() != GL_NO_ERROR) {                         /* GLES: integer depth only as integers */
+    if (glGetError() != GL_NO_ERROR) {                         /* GLES gives integer depth only as integers */
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, data);
         for (size_t i = 0; i < texels; i++) {
             uint32_t bits;
@@ -421,7 +421,7 @@ static void read_depth(int width, int height, float *data)
     for (size_t i = texels; i-- > 0; ) data[4 * i] = data[i];
 }
 
-/* Colours, four floats a texel, or the bits of four integers. */
+/* Reads colours as four floats a texel, or integers as the bits of four. */
 static int read_colour(int width, int height, float *data)
 {
     const size_t texels = (size_t)width * (size_t)height;
@@ -430,7 +430,7 @@ static int read_colour(int width, int height, float *data)
                                           GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
     if (type == GL_UNSIGNED_INT) glReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, data);
     else if (type != GL_UNSIGNED_NORMALIZED || !gl.es) glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, data);
-    else {                                 /* only bytes are sure to be read; no wider format of this kind is made */
+    else {                                 /* only bytes can always be read; the kit has no wider format of this kind */
         uint8_t *bytes = malloc(texels * 4);
         if (!bytes) return -1;
         glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
@@ -440,7 +440,7 @@ static int read_colour(int width, int height, float *data)
     return 0;
 }
 
-/* What is attached to the framebuffer that is bound for reading, as four floats a texel. */
+/* Reads the texture attached to the read framebuffer as four floats a texel. */
 static int read_attached(GLuint texture, int slice, int width, int height, float *data)
 {
     attach_to_read(GL_COLOR_ATTACHMENT0, texture, slice);
@@ -497,7 +497,7 @@ static const char *stage_name(GLenum stage)
                                                 : "compute";
 }
 
-/* the first lines of a driver's log, joined to one */
+/* joins the first lines of a driver's log to one line */
 static void shorten(char *log)
 {
     size_t length = strlen(log);

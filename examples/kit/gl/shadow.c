@@ -1,4 +1,4 @@
-/* shadow.c - what lights see: an atlas of shadow maps, and a light's reflective shadow map. Declared in kit_gl.h. */
+/* shadow.c - views from lights: an atlas of shadow maps, a light's reflective shadow map. Declared in kit_gl.h. */
 #include "kit/kit_gl.h"
 #include <math.h>
 #include <stdlib.h>
@@ -27,7 +27,7 @@ static void draw(const kit_mesh *mesh, const kit_shadow_camera *camera, GLint at
     glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
 }
 
-/* Whether the context can draw an atlas of that size, and the tiles lie in it. */
+/* Checks that the context can draw an atlas of that size and that the tiles are inside it. */
 static int check_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count,
                        kit_error *err)
 {
@@ -87,8 +87,8 @@ GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit
 
 /* ---- >>rsm -------------------------------------------------------------------------------------------------- */
 
-/* The camera of face i: of a cube around a point light, or along the sun around the bounds. direction: unit, to the
-   sun. */
+/* The camera of face i: for a point light a face of a cube around it, for a sun a view along it around the bounds.
+   direction: unit, to the sun. */
 static kit_camera camera_of(const kit_light *light, const double direction[3], int face, const kit_mesh *mesh,
                             int resolution)
 {
@@ -109,7 +109,7 @@ static kit_camera camera_of(const kit_light *light, const double direction[3], i
     }
     if (light->kind == KIT_SUN) {
         float view[16], projection[16];
-        /* for its axes: the widest extent of the bounds across the light */
+        /* only for its axes, along which the bounds' extent is measured */
         kit_camera_matrices(&camera, view, projection);
         for (int r = 0; r < 2; r++) {
             double extent = 0;
@@ -135,7 +135,7 @@ static double pixel_angle(size_t x, size_t y, size_t resolution)
     return corner_angle(u + w, v + w) - corner_angle(u, v + w) - corner_angle(u + w, v) + corner_angle(u, v);
 }
 
-/* A face of a light's map: what is seen there, into the pixels from that one on. */
+/* Renders a face of a light's map and writes its visible surface into the pixels from `first` on. */
 static int rsm_face(float *const map[3], const kit_scene *scene, const kit_light *light, const kit_camera *camera,
                     kit_error *err)
 {

@@ -32,8 +32,8 @@ static GLuint buffer_of(const void *data, size_t size)
     return buffer;
 }
 
-/* The scene's triangles for patches, 9 floats a vertex, huge ones divided: small ones first, then those that ask for
-   splits. NULL: no memory. */
+/* The scene's triangles as patches, 9 floats a vertex, with huge ones divided: first small triangles, then those that
+   are to be split. NULL: no memory. */
 static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, const ssgi_view *view,
                          const float picture[16], int grey, int patches[2])
 {
@@ -50,7 +50,7 @@ static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, cons
         sorted = malloc((27 * count + 1) * sizeof *sorted);
         if (divided) ssgi_surfels_divide(divided, count, &count, d, view, &source, NULL);
     }
-    for (size_t t = 0; t < count && divided && sorted; ++t) {      /* large ones from the end on */
+    for (size_t t = 0; t < count && divided && sorted; ++t) {      /* large triangles are filled in from the end */
         ssgi_surfel_cost cost = { 0 };
         ssgi_surfel_source one = { .position = divided + 27 * t, .position_stride = 36, .triangles = 1 };
         memcpy(one.to_view, picture, sizeof one.to_view);
@@ -78,18 +78,18 @@ static void mean_of(float sky[3], const kit_image *env)
     for (int c = 0; c < 3; ++c) sky[c] = (float)(sum[c] / sum[3]);
 }
 
-/* What a run needs of its surfels before they are passes. */
+/* The surfels of a run, and their sources, before passes are made of them. */
 typedef struct surfels {
     ssgi_surfel_desc desc;
-    ssgi_surfel     *surfel;               /* so many as the run says */
+    ssgi_surfel     *surfel;               /* run->surfels of them */
     float           *vertices;             /* of patches, 9 floats each */
     int              patches[2];
-    ssgi_gl_light   *rows;                 /* lamps as the picture's camera has them, so many */
+    ssgi_gl_light   *rows;                 /* `lights` lights in the view space of the picture's camera */
     int              lamps;
 } surfels;
 
-/* Reads two things off the frame's depth: the least that it shows, a little less, which stays where it shows nothing;
-   and as many levels as the radius wants, as it is seen; without an end of it the library's default stays. */
+/* Finds two values from the frame's depth. The near depth is a little less than the least one, or stays if there is
+   none. The number of levels suits the projected radius; with an unlimited radius the library's default stays. */
 static int look_at_frame(kit_making *m, const surfels *s)
 {
     kit_run *run = m->run;
@@ -115,7 +115,7 @@ static void surfels_free(surfels *s)
     free(s->rows);
 }
 
-/* lit: the environment, the lamps and their shadow maps. */
+/* For lit methods: the environment, the lights and their shadow maps. */
 static int light_surfels(kit_making *m, surfels *s, const float picture[16])
 {
     const kit_image *env = &m->world->lighting->env;
@@ -125,7 +125,7 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
     kit_rotation_of(run->frame.rotation, picture, NULL);
     m->desc.light.environment = SSGI_GL_ENVIRONMENT_MAP;
     if (env->data && kit_add_environment(m)) return -1;
-    /* The picture's own surfels have the picture's light; without slices ssgi_gl_steps lights all of them. */
+    /* Surfels of the picture have its light; without slices ssgi_gl_steps lights all surfels. */
     if (!env->data || !m->set->sky) m->desc.light.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (kit_seen(run->gbuffer, &seen, m->err)) return -1;
     kit_placed_light *placed = kit_placed_lights_new(m, &seen, &count, &s->lamps);
@@ -143,7 +143,7 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
     return failed;
 }
 
-/* The surfels of the scene's patches, what splatting them costs, and what they send. */
+/* Makes the surfels of the scene's patches, predicts the cost of their splats, and finds the light that they send. */
 static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const float picture[16])
 {
     const kit_image *env = &m->world->lighting->env;
@@ -184,7 +184,7 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
     return 0;
 }
 
-/* The buffers that passes make surfels of, and that they write them into. */
+/* The buffers from which passes make surfels, and those into which they write them. */
 static void add_buffers(kit_run *run, const surfels *s, int way)
 {
     const size_t patches = (size_t)(s->patches[0] + s->patches[1]), size = sizeof *s->surfel;
@@ -206,14 +206,14 @@ static ssgi_gl_chain chain_of(const kit_making *m, const surfels *s)
         lit && m->world->lighting->env.data ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     chain.hidden_sky = m->desc.light.environment != SSGI_GL_ENVIRONMENT_NONE;
     chain.unsmoothed = !m->set->smooth;
-    /* surfels come out of a pass: from patches, or lit */
+    /* a pass makes surfels from patches, or lights them */
     chain.surfels = way == KIT_WAY_CAPTURE || (lit && way == KIT_WAY_CPU);
     if (s->lamps) chain.lights = m->lights;
     if (way) chain.desc.shader.dialect = kit_gl_is_es() ? SSGI_GL_DIALECT_320ES : SSGI_GL_DIALECT_410;
     return chain;
 }
 
-/* What the passes draw from, and where surfels go that one of them makes. */
+/* Gives each pass the buffer that it draws from, and gives the pass that makes surfels the buffer that it writes. */
 static void connect_buffers(kit_run *run, const surfels *s, int way, int captured)
 {
     if (captured) {

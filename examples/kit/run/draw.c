@@ -61,7 +61,7 @@ void kit_run_update(kit_run *run)
 
 static void draw_patches(const kit_pass *p)
 {
-    /* Mesa mixes up points beyond 65536 that one draw tessellates */
+    /* Mesa's rasteriser confuses points beyond 65536 of one tessellated draw */
     const int all = p->patches[0] + p->patches[1], most = kit_gl_is_software() ? 20 : all;
     glPatchParameteri(GL_PATCH_VERTICES, 3);
     for (int first = 0, count; first < all; first += count) {
@@ -71,7 +71,7 @@ static void draw_patches(const kit_pass *p)
     }
 }
 
-/* Makes surfels or splats them, from patches or from a buffer. */
+/* Draws a pass that makes surfels or splats them, from patches or from a buffer. */
 static void draw_surfels(kit_run *run, const kit_pass *p)
 {
     const int capture = p->capture != 0, counted = capture && run->query;
@@ -112,20 +112,20 @@ static void bind_inputs(const kit_run *run, const kit_pass *p)
 
 int kit_step_part(const ssgi_gl_step *step)
 {
-    return step->size == SSGI_GL_SIZE_TILES ? 8 : step->size == SSGI_GL_SIZE_QUARTER ? 4
-                                              : step->size == SSGI_GL_SIZE_HALF      ? 2
+    return step->scale == SSGI_GL_SCALE_TILES ? 8 : step->scale == SSGI_GL_SCALE_QUARTER ? 4
+                                              : step->scale == SSGI_GL_SCALE_HALF      ? 2
                                                                                      : 1;
 }
 
-/* Where a pass draws: its framebuffer, the viewport, a scissor where it has a box. */
+/* Sets the place where a pass draws: its framebuffer, the viewport, and a scissor if it has a box. */
 static void bind_targets(const kit_run *run, const kit_pass *p)
 {
     const ssgi_gl_step *step = p->step;
     const ssgi_gl_frame *f = step->frame && step->frame < KIT_FRAME_VPLS ? &run->extra[step->frame - 1] : &run->frame;
     const int part = kit_step_part(step);
-    /* surfels: any complete one, which a context without a surface has not */
+    /* a pass that makes surfels needs any complete framebuffer; a context without a surface has none */
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);
-    if (step->size == SSGI_GL_SIZE_LEVELS) glViewport(0, 0, p->width, p->height);
+    if (step->scale == SSGI_GL_SCALE_LEVELS) glViewport(0, 0, p->width, p->height);
     else glViewport(f->target[0] / part, f->target[1] / part, (f->size[0] + part - 1) / part,
                     (f->size[1] + part - 1) / part);
     if (!p->box[2]) return;
@@ -133,7 +133,7 @@ static void bind_targets(const kit_run *run, const kit_pass *p)
     glScissor(p->box[0], p->box[1], p->box[2], p->box[3]);
 }
 
-/* Sets the loose uniforms of a pass, whose program is in use, by its rows. */
+/* Sets the uniforms outside the block, for a pass whose program is in use, from its rows. */
 static void set_values(const kit_run *run, const kit_pass *p)
 {
     const int number = p->step->frame;
@@ -158,12 +158,12 @@ static void set_values(const kit_run *run, const kit_pass *p)
     }
 }
 
-/* Writes a pass's targets by its compute stage. */
+/* Draws a pass by its compute stage. */
 static void dispatch(const kit_pass *p)
 {
     const ssgi_gl_output *o = p->step->output;
     for (int i = 0; i < p->step->outputs; ++i)
-        glBindImageTexture((GLuint)o[i].binding, o[i].slices ? p->slices : p->target[i], 0, GL_FALSE, o[i].slice,
+        glBindImageTexture((GLuint)o[i].binding, o[i].layers ? p->slices : p->target[i], 0, GL_FALSE, o[i].layer,
                            GL_WRITE_ONLY, o[i].format->internal);
     glDispatchCompute((GLuint)p->step->groups[0], (GLuint)p->step->groups[1], 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
@@ -229,7 +229,7 @@ double kit_run_ms(const kit_run *run)
 
 /* ---- >>read ------------------------------------------------------------------------------------------------------ */
 
-/* Takes so many pixels off each side. */
+/* Removes `pixels` pixels from each side. */
 static void cut(kit_image *image, int pixels)
 {
     const int width = image->width - 2 * pixels, height = image->height - 2 * pixels;
@@ -242,7 +242,7 @@ static void cut(kit_image *image, int pixels)
     image->height = height;
 }
 
-/* A texture of the run, rows top-down, into a picture's plane and the two behind it; less: taken from what is there. */
+/* Reads a texture of the run, rows top-down, into a picture's plane and the next two; less: subtracts it from them. */
 static int read_planes(const kit_run *run, GLuint source, kit_image *image, size_t plane, int less)
 {
     const size_t pixels = (size_t)image->width * (size_t)image->height, width = (size_t)image->width;
@@ -260,7 +260,7 @@ static int read_planes(const kit_run *run, GLuint source, kit_image *image, size
     return failed;
 }
 
-/* Outgoing radiance of what is seen, from irradiance and bounce. */
+/* Adds the outgoing radiance of the visible surfaces, from irradiance and bounce. */
 static int add_radiance(kit_image *image, const kit_gbuffer *g, kit_error *err)
 {
     static const char *const names[2][3] = { { "albedo.R", "albedo.G", "albedo.B" },
@@ -303,7 +303,7 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     return 0;
 }
 
-/* A run that was never opened holds nothing, and perhaps there is no context: GL is called for what is there alone. */
+/* A run that was never opened holds nothing, and there may be no context: GL is called only for existing objects. */
 void kit_run_close(kit_run *run)
 {
     for (int i = 0; i < run->passes; ++i) {

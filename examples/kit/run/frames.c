@@ -1,12 +1,12 @@
-/* frames.c - a run of frames: a method on one G-buffer after another, or on one that stays, each run after the one
-   before. Declared in kit_gl.h. */
+/* frames.c - sequences of frames: a method on one G-buffer after another, or on one that does not change; each run
+   follows the one before. Declared in kit_gl.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- >>follow ---------------------------------------------------------------------------------------------------- */
 
-/* Two textures change places, wherever their runs name them. */
+/* Exchanges two textures wherever their runs name them. */
 static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
 {
     for (int r = 0; r < (a == b ? 1 : 2); ++r) {
@@ -23,14 +23,14 @@ static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
     }
 }
 
-/* The noise of a frame, from that of frame 0. */
+/* The phase of a frame's noise, from that of frame 0. */
 static float phase_of(float from, unsigned frame)
 {
     const double phase = (double)from + (double)ssgi_gl_phase(frame);
     return (float)(phase - floor(phase));
 }
 
-/* Gives a texture the size that a pass draws at, if the frame before had another. */
+/* Gives a texture the size that a pass draws at, if it has the last frame's other size. */
 static void fit(GLuint texture, const kit_pass *p, GLenum format)
 {
     GLint width, height;
@@ -80,7 +80,7 @@ int kit_run_keeps(const kit_run *run)
 
 /* ---- >>frames ---------------------------------------------------------------------------------------------------- */
 
-/* A picture of a run by the noise of its frame, before it follows another. */
+/* Draws a run with its frame's noise before it follows another run, thus without history. */
 static int draw_alone(kit_image *out, kit_run *run, unsigned frame, kit_error *err)
 {
     const float phase = run->frame.phase;
@@ -92,14 +92,14 @@ static int draw_alone(kit_image *out, kit_run *run, unsigned frame, kit_error *e
     return kit_run_read(out, run, err);
 }
 
-/* The frame's picture is as large as the last one's was without its margin. */
+/* Whether the frame's picture has the size that the last one had without its margin. */
 static int same_size(const kit_gbuffer *g, const kit_run *last)
 {
     const int *was = last->gbuffer->viewport, margin = 2 * last->margin;
     return g->viewport[2] == was[2] - margin && g->viewport[3] == was[3] - margin;
 }
 
-/* The run can go on with what the last one kept, whatever size that has. */
+/* Whether the run can continue the last run's history, of whatever size. */
 static int same_passes(const kit_run *run, const kit_run *last)
 {
     int same = run->passes == last->passes;
@@ -108,7 +108,7 @@ static int same_passes(const kit_run *run, const kit_run *last)
     return same;
 }
 
-/* The cameras differ by the jitter of their projections, besides what they move. */
+/* The part of the cameras' difference that is jitter of the projection, not motion. */
 static void keep_jitter(kit_run *run, const float last[4])
 {
     ssgi_gl_frame *f = &run->frame;
@@ -117,7 +117,7 @@ static void keep_jitter(kit_run *run, const float last[4])
     kit_run_update(run);
 }
 
-/* History in seconds, where the frames tell how long they take. */
+/* Measures history in seconds if the caller gives each frame's duration. */
 static int keep_time(kit_frames *f, kit_run *run, kit_error *err)
 {
     const char *why;

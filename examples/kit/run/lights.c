@@ -1,4 +1,4 @@
-/* lights.c - what lights a picture: lamps as placed with their shadow maps, the environment. Declared in kit_run.h. */
+/* lights.c - the light of a picture: placed lights with their shadow maps, the environment. Declared in kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 static void look(kit_camera *c, const float eye[3], const float along[3], float fovy, float height, float znear,
                  float zfar, int size)
 {
-    float step = 1; /* A target at 1 from an eye at 1e9 would be the eye. */
+    float step = 1; /* At an eye at 1e9, a target 1 away would round to the eye. */
     memset(c, 0, sizeof *c);
     while (step < 1e-3f * fmaxf(fabsf(eye[0]), fmaxf(fabsf(eye[1]), fabsf(eye[2])))) step *= 2;
     for (int k = 0; k < 3; ++k) { c->eye[k] = eye[k]; c->target[k] = eye[k] + step * along[k]; }
@@ -21,7 +21,7 @@ static void look(kit_camera *c, const float eye[3], const float along[3], float 
     c->width = c->height = size;
 }
 
-/* Widens a rectangle across the light, lower x, y, then upper, by a point. */
+/* Widens a rectangle across the light (lower x, y, then upper x, y) to hold a point. */
 static void widen(float rectangle[4], const float axes[16], const float p[3])
 {
     for (int k = 0; k < 2; ++k) {
@@ -31,8 +31,8 @@ static void widen(float rectangle[4], const float axes[16], const float p[3])
     }
 }
 
-/* The parts of a scene that a sun's maps cover: what is seen before the geometric mean of its depths, all that is seen,
-   the whole scene. Rectangles across the light: lower x, y, then upper. */
+/* The parts of a scene that a sun's maps cover: visible surfaces nearer than the geometric mean of their depths, all
+   visible surfaces, the whole scene. Rectangles across the light: lower x, y, then upper x, y. */
 enum { NEAR, SEEN, WHOLE, PARTS };
 static void parts_of(float part[PARTS][4], float range[2], const float axes[16], const float at[3],
                      const kit_scene *scene, const kit_seen_places *seen)
@@ -61,8 +61,8 @@ static void parts_of(float part[PARTS][4], float range[2], const float axes[16],
     }
 }
 
-/* A sun's maps, so many rows, fine ones first (most: 3; 1: of all that is seen alone); those are left out whose next is
-   hardly wider. They look from beyond all that could shadow. How many. */
+/* Makes a sun's maps, a row each, fine ones first, and returns their number. most: 3, or 1 for a map of all visible
+   surfaces only. A map that is hardly smaller than the next is left out. Cameras stand beyond all occluders. */
 static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *scene, const kit_seen_places *seen,
                     int most, int size)
 {
@@ -74,7 +74,7 @@ static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *s
     look(&c, origin, along, 0, 1, 0.1f, 1, size);
     kit_camera_matrices(&c, axes, projection);
     parts_of(part, range, axes, at, scene, seen);
-    for (int k = most > 1 ? WHOLE : SEEN; k >= (most > 1 ? NEAR : SEEN); --k) {      /* wide ones first */
+    for (int k = most > 1 ? WHOLE : SEEN; k >= (most > 1 ? NEAR : SEEN); --k) {      /* the wide maps first */
         const float *p = part[k], *q = count ? part[kept[count - 1]] : p;
         const float side = fmaxf(p[2] - p[0], p[3] - p[1]), next = fmaxf(q[2] - q[0], q[3] - q[1]);
         if (!(side > 0) && k < WHOLE) continue;
@@ -82,9 +82,9 @@ static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *s
     }
     const float *all = part[WHOLE], deep = range[1] - range[0];
     const float wide = fmaxf(all[2] - all[0], all[3] - all[1]);
-    const float spare = 1e-6f * fminf(1, fmaxf(deep, wide)); /* where either is 0 */
+    const float spare = 1e-6f * fminf(1, fmaxf(deep, wide)); /* if either is 0 */
     const float margin = 0.01f * deep + spare, away = range[1] + 2 * margin;
-    for (; count > 0; --count) {                    /* rows: fine ones first */
+    for (; count > 0; --count) {                    /* rows: the fine maps first */
         const float *p = part[kept[count - 1]];
         kit_placed_light *l = &out[rows++];
         const float across = 0.5f * (p[0] + p[2]), up = 0.5f * (p[1] + p[3]);
@@ -98,7 +98,7 @@ static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *s
     return rows;
 }
 
-/* A sun, with its maps where there is a scene to shadow it: how many rows, one at least. */
+/* Makes a sun, with maps if there is a scene to shadow it. Returns the number of rows, at least one. */
 static int sun(kit_placed_light *out, const float at[3], const float colour[3], const kit_scene *scene,
                const kit_seen_places *seen, int most, int size)
 {
@@ -113,7 +113,7 @@ static int sun(kit_placed_light *out, const float at[3], const float colour[3], 
     return rows;
 }
 
-/* --light number i, as so many lights. */
+/* Places one --light and returns the number of lights that it makes. */
 static int place_light(kit_placed_light *out, const kit_light *w, const kit_scene *scene, const kit_seen_places *seen,
                        float extent, int size)
 {
@@ -131,7 +131,7 @@ static int place_light(kit_placed_light *out, const kit_light *w, const kit_scen
     return faces;
 }
 
-/* The environment as so many suns. How many lights, -1: failure. */
+/* Approximates the environment by suns. Returns the number of lights, -1: failure. */
 static int place_suns(kit_placed_light *out, const kit_making *m, const kit_scene *scene, const kit_seen_places *seen,
                       int size)
 {
@@ -148,7 +148,7 @@ static int place_suns(kit_placed_light *out, const kit_making *m, const kit_scen
     return n;
 }
 
-/* So many virtual point lights of the first --light; -1: failure. */
+/* Finds `vpls` virtual point lights of the first --light; -1: failure. */
 static int choose_vpls(ssgi_vpl *found, int vpls, const kit_making *m)
 {
     const kit_lighting *lighting = m->world->lighting;
@@ -278,8 +278,8 @@ float *kit_rgba(float *four, const float *map, int size)
     return four;
 }
 
-/* The hash of an environment's texels, which is computed again only where they are not those of the last one: to
-   compare is faster by far. */
+/* The hash of an environment's texels. It is only computed if they differ from the last ones, because a comparison is
+   much faster. */
 static uint64_t key_of(const float *rgb, size_t size)
 {
     static void *last;
@@ -293,7 +293,7 @@ static uint64_t key_of(const float *rgb, size_t size)
     return key = kit_hash(KIT_HASH, rgb, size);
 }
 
-/* The last few are kept, for runs on one environment ask for the same. */
+/* Keeps the last few results, because runs with one environment ask for the same. */
 ssgi_result kit_environment_of(float *out, int size, const float *rgb, const kit_image *env, float solid_angle,
                                float cosine, const char **why)
 {

@@ -1,9 +1,9 @@
-/* lit.c - methods that bring light: by directional occlusion, or by harmonics. Declared in kit_run.h. */
+/* lit.c - methods that compute light, by directional occlusion or by harmonics. Declared in kit_run.h. */
 #include "kit/kit_run.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* What the harmonics lack of unoccluded irradiance by the environment and so many suns. */
+/* The unoccluded irradiance of the environment and the suns, minus that of the harmonics. */
 static int add_residual(kit_making *m, const ssgi_sun *suns, int count)
 {
     enum { OPEN = 32 };
@@ -21,8 +21,8 @@ static int add_residual(kit_making *m, const ssgi_sun *suns, int count)
     return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
 }
 
-/* s3ho: suns as lobes of the environment's harmonics; the placed that are left, which depend on where a pixel is, to
-   the front; and what all of those harmonics lack. */
+/* s3ho: adds suns to the environment's harmonics as lobes, moves the other lights, which depend on a pixel's place, to
+   the front of placed, and adds the residual of all those harmonics. */
 static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
 {
     const int window = m->set->window, bands = m->desc.light.bands;
@@ -44,8 +44,8 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     return m->desc.light.residual && !m->desc.light.shading ? add_residual(m, suns, n) : 0;
 }
 
-/* s3ho: indirect: 0 no bounce, 1 in one gather with the occlusion, 2 in one of its own. What one gather does is told
-   apart by a second, without it. */
+/* s3ho. indirect: 0 no bounce, 1 in one gather with the occlusion, 2 in a gather of its own. For 1, a second gather
+   without the bounce shows which part of the result is the bounce. */
 static int add_harmonic_light(kit_making *m)
 {
     kit_run *run = m->run;
@@ -53,17 +53,17 @@ static int add_harmonic_light(kit_making *m)
     ssgi_gl_chain chain = kit_chain(m), bounce;
     chain.coefficients = m->set->filtered == KIT_FILTERED_COEFFICIENTS;
     chain.precise = store == KIT_STORE_FLOAT ? 2 : 1;
-    /* Both are packed or neither is, so that both are rounded alike. */
+    /* Both are packed or neither is, so that both have the same rounding. */
     chain.desc.light.packed_coefficients = store == KIT_STORE_PACKED || joint;
     chain.desc.light.shaded = !chain.coefficients && !chain.desc.light.shading && !chain.desc.light.harmonic_lights;
     bounce = chain;
     bounce.desc.light.packed_coefficients = 1;
     bounce.desc.light.transfer = joint ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED;
-    /* occluders may send more than is missing */
+    /* occluders may send more light than they block */
     if (chain.desc.light.restore) bounce.desc.light.restore = SSGI_GL_RESTORE_DIFFERENCE;
     if (joint) chain.desc.light.restore = bounce.desc.light.restore;
     if (m->rows[0] && m->set->lights == KIT_LIGHTS_SHADOWED) chain.lights = m->lights;
-    /* shadowed lamps alone: nothing is left for coefficients */
+    /* only shadowed lights: no light needs coefficients */
     if (chain.lights.pass == SSGI_GL_PASS_LIGHTS && !m->world->lighting->env.data) {
         chain.desc.pass = SSGI_GL_PASS_SSDO;
         chain.desc.light.environment = SSGI_GL_ENVIRONMENT_NONE;
@@ -82,8 +82,8 @@ static int add_harmonic_light(kit_making *m)
     return 0;
 }
 
-/* ssdo: what arrives at once, then the bounce of it. vpls: these bring the bounce but for what their clamp leaves
-   out. */
+/* ssdo: the direct light, then its bounce. vpls: virtual point lights give the bounce, and the gather the part that
+   their clamp removes. */
 static int add_occluded_light(kit_making *m, const kit_placed_light *placed, int direct, int count,
                               const float picture[16])
 {
@@ -94,7 +94,7 @@ static int add_occluded_light(kit_making *m, const kit_placed_light *placed, int
     chain.vpls = m->set->vpls > 0;
     chain.direct = run->gbuffer->direct != 0;
     if (m->rows[0]) chain.lights = m->lights;
-    if (!chain.desc.light.environment && !m->rows[0] && !chain.direct) return 0;     /* nothing lights anything */
+    if (!chain.desc.light.environment && !m->rows[0] && !chain.direct) return 0;     /* there is no light */
     if (kit_add_steps(m, &chain, 0, &run->light, &run->bounce)) return -1;
     for (int i = 0; i < run->passes; ++i)
         if (run->pass[i].step->frame == KIT_FRAME_VPLS)
@@ -103,7 +103,7 @@ static int add_occluded_light(kit_making *m, const kit_placed_light *placed, int
     return 0;
 }
 
-/* The placed with their maps, the extra cameras, and the placed as each camera has them. */
+/* Adds shadow maps of the placed lights, the extra cameras, and the lights in the view space of each camera. */
 static int add_sources(kit_making *m, const kit_placed_light *placed, int direct, int count, const float picture[16],
                        const kit_sphere *middle)
 {
@@ -130,8 +130,8 @@ int kit_open_lit(kit_making *m, const float picture[16])
     int count = 0, direct = 0, failed = 0;
     kit_seen_places seen;
     if (s3ho && set->indirect && g->direct)
-        return kit_fail(m->err, "method %s: its bounce is of --env and --light alone, the frame's direct.R .. would be "
-                                "left out: take ssdo, or --set indirect=none", m->method->name);
+        return kit_fail(m->err, "method %s: its bounce has only --env and --light, and would lack the frame's "
+                                "direct.R ..: take ssdo, or --set indirect=none", m->method->name);
     if (!env->data) m->desc.light.shading = SSGI_GL_SHADING_HARMONICS;
     m->desc.light.environment = env->data && !set->suns ? environments[set->environment] : SSGI_GL_ENVIRONMENT_NONE;
     if (s3ho) m->desc.light.environment = SSGI_GL_ENVIRONMENT_SH;

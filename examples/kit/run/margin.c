@@ -1,11 +1,11 @@
-/* margin.c - what is seen beyond the picture: a wider G-buffer, and what of it each pass draws. Declared in
+/* margin.c - the margin around the picture: a wider G-buffer, and the part of it that each pass draws. Declared in
    kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdlib.h>
 
-/* How wide a margin is, in pixels: see kit_run_open. Where the border shows nothing, depth is what all of the picture
-   shows; 0 where that shows nothing either. */
+/* The width of a margin in pixels: see kit_run_open. If the border shows no surface, the depths of the whole picture
+   count; the margin is 0 if that shows none either. */
 static int margin_of(int *pixels, const kit_gbuffer *g, double radius, double margin, kit_error *err)
 {
     const int width = g->viewport[2], height = g->viewport[3], most = (width < height ? width : height) / 16 * 4;
@@ -54,7 +54,7 @@ static int draws(const kit_pass *p, GLuint texture)
     return 0;
 }
 
-/* How many pixels beyond the picture each pass draws; ALL of what is seen; -1: none reads it. */
+/* The number of pixels beyond the picture that each pass draws; ALL: the whole margin; -1: no pass reads it. */
 enum { ALL = 1 << 20 };
 static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
 {
@@ -63,7 +63,7 @@ static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
         const kit_pass *p = &run->pass[i];
         const int result = draws(p, run->light) || draws(p, run->bounce) || draws(p, run->joint);
         const int all = !p->target[0] || p->gbuffer != run->gbuffer || p->desc.pass == SSGI_GL_PASS_THICKNESS
-                     || p->step->size == SSGI_GL_SIZE_TILES;
+                     || p->step->scale == SSGI_GL_SCALE_TILES;
         rim[i] = all ? ALL : result ? 0 : -1;
     }
     while (changed) {

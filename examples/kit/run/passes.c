@@ -12,7 +12,7 @@ int kit_compute(void)
     return strcmp(asked, "BASIC") ? SSGI_GL_COMPUTE_ALL : SSGI_GL_COMPUTE_BASIC;
 }
 
-/* The stages of a pass as a program, linked without captures; 0 on failure. */
+/* Links the stages of a pass to a program without transform feedback; 0 on failure. */
 static GLuint link_stages(const ssgi_gl_desc *desc, kit_error *err)
 {
     static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER,
@@ -38,7 +38,7 @@ static GLuint link_stages(const ssgi_gl_desc *desc, kit_error *err)
     return program;
 }
 
-/* Names what transform feedback captures, and links again. */
+/* Names the outputs that transform feedback captures, and links again. */
 static int link_captures(GLuint program, const ssgi_gl_desc *desc, const ssgi_gl_io *io, int rows, kit_error *err)
 {
     const char *captured[3];
@@ -111,13 +111,13 @@ ssgi_gl_chain kit_chain(const kit_making *m)
     return chain;
 }
 
-/* Which extra camera a step is of; -1: the picture's. */
+/* The extra camera of a step; -1: the picture's camera. */
 static int camera_of(const ssgi_gl_step *step)
 {
     return step->frame && step->frame < KIT_FRAME_VPLS ? (step->frame - 1) / 2 : -1;
 }
 
-/* A pass's framebuffer with the targets of its step, black. textures: what the steps' numbers are, 0 = not yet. */
+/* Makes a pass's framebuffer and its targets, cleared to black. textures: by the steps' numbers, 0 = not yet made. */
 static int add_targets(kit_making *m, kit_pass *p, GLuint textures[])
 {
     kit_run *run = m->run;
@@ -131,12 +131,12 @@ static int add_targets(kit_making *m, kit_pass *p, GLuint textures[])
         const GLenum format = o->format->internal;
         GLuint *made = &textures[o->texture];
         attachment[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
-        if (o->slices) {
+        if (o->layers) {
             if (!*made)
-                *made = kit_keep(run, kit_texture_array(widest->viewport[2], widest->viewport[3], o->slices, format,
+                *made = kit_keep(run, kit_texture_array(widest->viewport[2], widest->viewport[3], o->layers, format,
                                                         NULL));
             p->slices = *made;
-            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment[i], *made, 0, o->slice);
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment[i], *made, 0, o->layer);
             continue;
         }
         *made = p->target[i] = kit_keep(run, kit_texture(p->width, p->height, format, NULL));
@@ -153,7 +153,7 @@ static int add_targets(kit_making *m, kit_pass *p, GLuint textures[])
     return 0;
 }
 
-/* A step as a pass: its program and targets. */
+/* Adds a step as a pass: its program and targets. */
 static int add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textures[], int aside)
 {
     kit_run *run = m->run;
@@ -183,7 +183,7 @@ static int add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textures[], 
     return step->outputs ? add_targets(m, p, textures) : 0;
 }
 
-/* What a pass's inputs are, and where a result is. last: what steps' numbers were in the last frame, 0 = not kept. */
+/* Connects a pass's inputs and finds the result. last: the last frame's textures by step number, 0 = not kept. */
 static void connect(kit_pass *p, const GLuint textures[], const GLuint last[], GLuint *light, GLuint *bounce)
 {
     const ssgi_gl_step *step = p->step;
@@ -208,7 +208,7 @@ int kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GLuint *
     int failed = !count || !step;
     if (failed) kit_fail(m->err, "method %s: %s", m->method->name, why);
     else ssgi_gl_steps(step, count, chain, NULL);
-    /* parts are told apart by passes that embedders would not draw; lights are drawn all the same */
+    /* passes aside only show parts of the result, for no embedder; passes of lights are drawn anyway */
     for (int i = 0; i < count && !failed; ++i)
         failed = add_pass(m, &step[i], textures, aside && step[i].desc.pass != SSGI_GL_PASS_LIGHTS);
     for (int i = first; i < run->passes; ++i)

@@ -1,9 +1,10 @@
-/* run.c - a method made ready on a G-buffer: what it asks of that, and who opens it. Declared in kit_gl.h. */
+/* run.c - makes a method ready on a G-buffer: extends the G-buffer, then calls the files that add passes. Declared in
+   kit_gl.h. */
 #include "kit/kit_run.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* What the method asks of the G-buffer beyond one layer: peeled and slabs drawn where there is a scene for it. */
+/* Adds the layers and slabs that the method needs to the G-buffer, if there is a scene to draw them from. */
 static int ask_gbuffer(const kit_making *m, kit_gbuffer *g)
 {
     const kit_scene *scene = m->world->scene;
@@ -24,7 +25,7 @@ static int ask_gbuffer(const kit_making *m, kit_gbuffer *g)
     return kit_gbuffer_slabs(g, scene, 1 + two, m->err);
 }
 
-/* Ambient visibility from what is seen. */
+/* Adds a method of ambient visibility from the G-buffer. */
 static int open_visibility(kit_making *m, const float picture[16])
 {
     kit_seen_places seen = { .point = NULL };
@@ -45,7 +46,7 @@ static void add_kernel(kit_making *m)
     free(kernel);
 }
 
-/* As many sets as there are, each as often; without any a tile of 16 turns. */
+/* A noise tile in which each of the sets occurs equally often; without sets, 16 rotations. */
 static void add_noise(kit_making *m)
 {
     static float tile[4 * 64 * 64];
@@ -56,7 +57,7 @@ static void add_noise(kit_making *m)
     m->run->noise = kit_keep(m->run, kit_texture(size, size, GL_RGBA32F, tile));
 }
 
-/* The projection of a camera along +z, and normals as it has them. */
+/* The projection of a camera that looks along +z, and normals with z negated. */
 static int turn_left_handed(kit_making *m, const kit_gbuffer *g, float projection[16])
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -72,7 +73,7 @@ static int turn_left_handed(kit_making *m, const kit_gbuffer *g, float projectio
     return 0;
 }
 
-/* What there is to draw on a G-buffer, the caller's or a wider one. */
+/* Adds all passes on a G-buffer, the caller's or a wider one. */
 static int open_on(kit_making *m, kit_gbuffer *g, float radius)
 {
     kit_run *run = m->run;
@@ -105,8 +106,8 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     run->bytes = kit_run_bytes(run);
     glGenBuffers(KIT_FRAMES, run->block);
     kit_run_update(run);
-    /* reuse reads a last frame; dimmed, a second bounce, reads one of emitters; bounced adds a bounce a frame, of which
-       the ninth is negligible */
+    /* reuse reads the last frame's light, and occluded emitters its coefficients; bounced adds one bounce
+       each frame, of which the ninth is negligible */
     const int frames = m->set->bounced ? 8 : m->set->reuse || m->set->occluded_emitters ? 2 : 0;
     for (int i = 0; i < frames; ++i) kit_run_draw(run, 0);
     return 0;
@@ -118,7 +119,7 @@ int kit_run_open_wide(kit_run *run, kit_gbuffer *g, const kit_method *method, fl
     static const kit_lighting dark;
     const kit_world whole = { world ? world->scene : NULL, world && world->lighting ? world->lighting : &dark };
     kit_making m = { .run = run, .method = method, .set = &method->set, .world = &whole, .err = err };
-    memset(run, 0, sizeof *run);           /* in place: passes point at its extra cameras */
+    memset(run, 0, sizeof *run);           /* run is filled in place, because passes point to its extra cameras */
     const int failed = kit_add_margin(&m, &g, radius, margin) || open_on(&m, g, radius);
     if (failed) kit_run_close(run);
     return failed ? -1 : 0;

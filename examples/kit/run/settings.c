@@ -6,24 +6,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>settings: a row each; where its value goes in a desc or in the frame -------------------------------------- */
+/* ---- >>settings: a row each, with the field of the desc or the frame that its value sets ------------------------- */
 
 enum {
     GATHER = 1,
-    LIGHTS = 2 /* fields of those passes' descs */,
+    LIGHTS = 2 /* fields of the descs of gathers, and of lights */,
     FRAME = 4,
-    SCALED = 8 /* of the frame; times the radius */,
-    PLAN = 0 /* the method asks for it itself */
+    SCALED = 8 /* a member of the frame; times the radius */,
+    PLAN = 0 /* the method's code reads it */
 };
 
-/* member: of kit_settings, whose type says whether the setting takes whole numbers only */
+/* member: of kit_settings; its type decides whether the setting takes whole numbers only */
 typedef struct row { kit_setting setting; size_t member; int where; size_t offset; } row;
 #define DESC(field)  offsetof(ssgi_gl_desc, field)
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
 #define WHOLE(member) _Generic(((const kit_settings *)0)->member, int: 1, double: 0)
-/* choices: words, NULL for a number */
-/* A row whose words and limits are those of a field of ssgi_gl_desc. COUNT: 0, which is the library's default, is not
-   taken, so that costs can be counted. */
+/* choices: words, or NULL if the setting is a number */
+/* A row with the words and limits of a field of ssgi_gl_desc. COUNT: refuses 0, the library's default, so that costs
+   can be computed from the count. */
 #define OF(name, key, field, where, value, about)    ROW(name, key, about, NULL, value, 0, 0, where, DESC(field))
 #define COUNT(name, key, field, where, value, about) ROW(name, key, about, NULL, value, 1, 0, where, DESC(field))
 #define ROW(name, key, about, choices, value, least, most, where, offset) \
@@ -37,10 +37,10 @@ OF(left_handed_row, left_handed, input.left_handed, GATHER, 0, "1: projection an
     "whose camera looks along +z")
 ROW(limit_row, thickness_limit, "constant thickness of visible surfaces, or the most that a width counts, in radii",
     NULL, 0, 0, 100, SCALED, FRAMED(thickness_limit))
-OF(thickness_row, thickness, gather.thickness, GATHER, 0, "how thick visible surfaces are: as width for slices, "
-    "else as constant; thickness_limit; unlimited; as thick as wide in the picture; to the back face; two slabs")
+OF(thickness_row, thickness, gather.thickness, GATHER, 0, "thickness of visible surfaces: as width for slices, "
+    "else as constant; thickness_limit; unlimited; their width in the picture; up to the back face; two slabs")
 OF(gathered_row, resolution, gather.resolution, GATHER, 0,
-   "the pixels that are gathered, brought to full size by the filter: all, one of every 2x2, or each of the four in "
+   "the pixels that are gathered; the filter fills the others: all, one of every 2x2, or each of the four in "
    "turn; one of every 4x4, or each of the sixteen in turn")
 ROW(offset_row, offset, "lift of the receiver along its normal, in half pixels",
     NULL, 0, 0, 100, FRAME, FRAMED(offset))
@@ -57,24 +57,23 @@ OF(views_row, views, gather.views, GATHER | LIGHTS, 0, "extra cameras; closed so
 COUNT(view_layers_row, view_layers, gather.view_layers, GATHER | LIGHTS, 1, "depth layers of each extra camera")
 ROW(view_size_row, view_size, "pixels of an extra camera's side", NULL, 256, 16, 4096, PLAN, 0)
 
-ROW(history_row, history, "1: frames are averaged, at full size; the first is as without",
+ROW(history_row, history, "1: frames are averaged, at full resolution; the first is that of 0",
     NULL, 0, 0, 1, PLAN, 0)
 ROW(margin_row, margin, "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, PLAN, 0)
 COUNT(points_row, directions, gather.directions, GATHER, 16, "directions per pixel")
 COUNT(along_row, samples, gather.samples, GATHER, 1,
-      "points along a direction; the first occluded one counts: of many "
-      "that is near the receiver, and with thickness=solid all that has a surface before it is dark, to a hard edge at "
-      "the "
+      "points along a direction; the first occluded one counts. With many points "
+      "it is near the receiver, and with thickness=solid everything behind a surface is dark, with a hard edge at the "
       "radius")
 OF(falloff_row, falloff, gather.falloff, GATHER, 0, "weight of an occluder at distance t: 1 - t/radius, 1 - "
     "(t/radius)^2, or 1 up to the radius (not of points)")
 OF(facets_row, facets, gather.facets, GATHER, 0, "1: occluders are sought above the facets that depth shows, light "
     "meets the given normals: for smooth normals on coarse meshes, and normal maps")
-OF(lift_row, lift, gather.lift, GATHER | LIGHTS, 0, "1: slices lift receivers by offset, normals of depth are taken as "
-    "far apart: for clouds of points, with offset=8, as each splat's edge is a wall otherwise")
+OF(lift_row, lift, gather.lift, GATHER | LIGHTS, 0, "1: slices lift receivers by offset, and normals from depth use "
+    "neighbours that far apart: for point clouds, with offset=8, in which each splat's edge is a wall otherwise")
 OF(fade_row, fade, gather.fade, GATHER, 0, "weight of an occluder by the distance of the surface in the depth buffer; "
-    "none: a far surface sends as if it were at the point, and a bounce may be worse than none")
-ROW(lambda_row, lambda, "how fast that fade is, per radius: a larger one leaves less", NULL, 0, 0, 1000, FRAME,
+    "none: a far surface sends light as if it were at the point, and a bounce may be worse than no bounce")
+ROW(lambda_row, lambda, "rate of that fade, per radius: a larger one leaves less", NULL, 0, 0, 1000, FRAME,
     FRAMED(lambda))
 OF(range_row, range_check, gather.range_check, GATHER, 0,
     "1: ignore surfaces beyond the radius or below the receiver's plane")
@@ -82,7 +81,7 @@ ROW(fade_from_row, fade_from, "where smooth fading begins, in radii", NULL, 0, 0
 ROW(sets_row, sets, "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, PLAN, 0)
 OF(uniform_row, uniform_directions, gather.uniform_directions, GATHER, 0,
     "1: directions are spread evenly and weighted by the "
-    "cosine, as published; 0: they are spread by it")
+    "cosine, as published; 0: their density is the cosine")
 COUNT(slices_row, slices, gather.slices, GATHER, 1, "slices, two directions each")
 COUNT(directions_row, directions, gather.directions, GATHER, 6, "N_d: directions in the tangent plane")
 COUNT(samples_row, samples, gather.samples, GATHER, 6, "N_s: samples along each direction")
@@ -96,13 +95,13 @@ OF(sphere_row, growing_sphere, gather.growing_sphere, GATHER, 0,
 
 ROW(environment_row, environment, "how --env is used", "map sh none", 0, 0, 2, PLAN, 0)
 OF(bounce_row, bounce, light.bounce, GATHER, 1, "estimator of one diffuse bounce; patch, as published, has an error of "
-    "2.5 of the mean on `room`, none of 2.2")
+    "2.5 times the mean on `room`, no bounce one of 2.2")
 ROW(bounced_row, bounced, "1: emitters send the last frame's bounce, too: further bounces", NULL, 0, 0, 1, PLAN, 0)
 ROW(reuse_row, reuse, "1: emitters use the last frame's light, so that one gather does both", NULL, 0, 0, 1, PLAN, 0)
 OF(two_sided_row, two_sided, light.two_sided, GATHER, 0, "1: emitters are two-sided")
 OF(one_sided_row, one_sided, light.one_sided, GATHER, 0, "1: the unseen sides of emitters send nothing; 0: an unseen "
     "side sends 0.35 of their radiance, as most surfaces are lit from there, too")
-ROW(clamp_row, clamp, "the most luminance that an emitter sends, its hue kept, against fireflies; 0: any", NULL, 0, 0,
+ROW(clamp_row, clamp, "largest luminance of an emitter, its hue kept, against fireflies; 0: no limit", NULL, 0, 0,
     65408, PLAN, 0)
 ROW(distance_clamp_row, distance_clamp, "clamp of the distance to a patch, in radii",
     NULL, 0, 0, 100, FRAME, FRAMED(distance_clamp))
@@ -111,7 +110,7 @@ OF(shadows_row, shadows, light.shadow, LIGHTS, 2, "shadows of --light: by screen
     "segments over their bias")
 OF(shadows_d_row, shadows, light.shadow, LIGHTS, 1, "shadows of --light: by maps, or none")
 COUNT(segment_row, points, gather.samples, LIGHTS, 8, "points on a segment toward a light")
-ROW(solid_row, solid, "1: shadows take surfaces as unlimited in thickness", NULL, 0, 0, 1, PLAN, 0)
+ROW(solid_row, solid, "1: in shadows, surfaces have unlimited thickness", NULL, 0, 0, 1, PLAN, 0)
 ROW(max_slope_row, max_slope, "largest slope that the shadow maps' bias follows",
     NULL, 0, 0, 1000, FRAME, FRAMED(max_slope))
 ROW(shadow_row, shadow_size, "texels of a shadow map's side", NULL, 1024, 16, 8192, PLAN, 0)
@@ -124,7 +123,7 @@ COUNT(bands_row, bands, light.bands, GATHER, 4, "bands of spherical harmonics: 1
 COUNT(few_bands_row, bands, light.bands, GATHER, 3, "environment=sh: bands of spherical harmonics")
 ROW(store_row, store, "coefficients as halves, halves packed into integers, or floats",
     "half packed float", 0, 0, 2, PLAN, 0)
-ROW(packed_row, store, "coefficients that are filtered or meet lamps: halves, packed halves, floats; joint: packed",
+ROW(packed_row, store, "coefficients that are filtered or lit by lights: halves, packed halves, floats; joint: packed",
     "half packed float", 1, 0, 2, PLAN, 0)
 ROW(indirect_row, indirect, "one bounce: none, in the gather of the occlusion, in a gather of its own",
     "none joint apart", 1, 0, 2, PLAN, 0)
@@ -138,17 +137,18 @@ OF(lamp_residual_row, residual, light.residual, GATHER, 1, "lights=harmonics: 1:
     "give the occlusion alone")
 OF(sh_residual_row, residual, light.residual, GATHER, 1, "environment=sh: 1: unoccluded irradiance is exact, "
     "harmonics give the occlusion alone; 0: one band lights all normals alike, which is worse than no occlusion")
-ROW(lobes_row, lobes, "directions whose share of the sphere a texel of the environment's map holds; 0: the gather's",
+ROW(lobes_row, lobes, "a texel of the environment's map is the mean over one of so many directions; 0: the gather's",
     NULL, 0, 0, 1024, PLAN, 0)
 ROW(window_row, window, "window over the harmonics of lights", "none hann positive", 1, 0, 2, PLAN, 0)
 ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without a bounce",
     "harmonics shadowed", 0, 0, 1, PLAN, 0)
-/* Where two endless walls meet, a surface of one has the coefficients pi/2 sqrt(1/(4 pi)) and sqrt(3/(4 pi)) times pi/3
-   along its normal and 2/3 away from the other. Along (1, 1) and (1, -1) / sqrt(2) that is, by Hann's window and with
-   the residual, 0.47 and 0.24 of a lamp whose cosine is 0.71: 0.66 of it where it is seen, 0.34 where it is hidden. So
-   wide a lobe darkens creases that see the lamp; with shadows from beyond the radius it is worse than nothing. */
-ROW(shadowed_row, lights, "--light by maps and segments, or as harmonics of two bands, wider than a lamp: a crease "
-    "that sees it keeps 0.66 of it, one that does not 0.34; may be worse than no occlusion",
+/* In the corner of two endless walls, a wall's point has the coefficients pi/2 sqrt(1/(4 pi)), and sqrt(3/(4 pi)) times
+   pi/3 along its normal and 2/3 away from the other wall. Hann's window and the residual give a lamp along (1, 1) /
+   sqrt(2) 0.47, and one along (1, -1) / sqrt(2), behind the wall, 0.24. Their cosine is 0.71: 0.66 of a visible lamp
+   stays, and 0.34 of a hidden one. So wide a lobe darkens creases that see the lamp; it is worse than nothing if
+   shadows come from beyond the radius. */
+ROW(shadowed_row, lights, "--light by maps and segments, or as harmonics of two bands, whose lobe is wide: a crease "
+    "that sees a light keeps 0.66 of it, a hidden one 0.34; may be worse than no occlusion",
     "harmonics shadowed", 1, 0, 1, PLAN, 0)
 ROW(cone_row, cone, "environment over the cone of unoccluded directions, or irradiance along their mean",
     "normal cone", 1, 0, 1, PLAN, 0)
@@ -173,21 +173,21 @@ ROW(epsilon_row, epsilon, "smallest form factor that a surfel is drawn for",
     NULL, 0, 1e-6, 1, FRAME, FRAMED(epsilon))
 COUNT(deep_levels_row, levels, surfel.levels, GATHER, 7, "levels of sub-buffers: each doubles the reach")
 OF(levels_row, levels, surfel.levels, GATHER, 0, "levels of sub-buffers: each doubles the reach; 0: as many as the "
-    "radius wants")
+    "radius needs")
 ROW(way_row, way, "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
     "cpu capture direct", 0, 0, 2, PLAN, 0)
 COUNT(near_row, near_samples, surfel.near_samples, GATHER, 1, "points over a surfel for pixels within 4 of its radii; "
     "1: its centre alone")
 OF(span_row, span, surfel.span, GATHER, 6, "surfaces nearer than so many surfel radii are left to slices, all others "
     "to surfels")
-ROW(hidden_sky_row, sky, "1: --env lights surfels that the picture does not show, too, unoccluded; span=0: always, all",
+ROW(hidden_sky_row, sky, "1: --env also lights surfels outside the picture, unoccluded; span=0: always all surfels",
     NULL, 0, 0, 1, PLAN, 0)
 ROW(sent_row, bounce, "one diffuse bounce of surfels; none: directional occlusion alone",
     "none surfels", 1, 0, 1, PLAN, 0)
 ROW(offscreen_growth_row, offscreen_growth, "radius added per distance outside the frustum", NULL, 0.1, 0, 1, PLAN, 0)
 ROW(near_depth_row, near_depth, "1: splats end at the frame's least view depth; 0: at the near plane",
     NULL, 1, 0, 1, PLAN, 0)
-OF(both_row, two_sided, light.two_sided, GATHER, 0, "1: surfels have two sides, as sheets and leaves want it")
+OF(both_row, two_sided, light.two_sided, GATHER, 0, "1: surfels have two sides, as sheets and leaves need")
 ROW(keep_small_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are thinned", NULL, 0, 0, 1, PLAN, 0)
 ROW(each_row, keep_small, "1: every triangle keeps a surfel; 0: small ones are thinned, visibly",
     NULL, 1, 0, 1, PLAN, 0)
@@ -209,14 +209,14 @@ ROW(unit_row, unit, "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, PLAN, 
 
 enum { MAX_SETTINGS = 48 };
 
-/* The settings of the methods of a kind. search: by slices, points or the march; of surfels their effect; bent: bent
+/* The settings of one kind of methods. search: slices, points or march; for surfels, their effect. bent: bent
    normals. */
 typedef struct plan {
     int         pass, search, bent;
     const row  *rows[MAX_SETTINGS];
     int         count;
 } plan;
-/* Rows, and how many: more than a method has room for do not compile. */
+/* Rows and their number. More rows than a method has room for do not compile. */
 #define SETTINGS(...) { __VA_ARGS__ }, COUNTED(sizeof((const row *const[]){ __VA_ARGS__ }) / sizeof(const row *))
 #define COUNTED(n) \
     ((int)(n) + 0 * (int)sizeof(struct { \
@@ -294,7 +294,7 @@ static const plan *plan_of(const ssgi_gl_chain *chain)
     return &plans[k];
 }
 
-/* A row's setting, with the words and limits of the desc's field that it sets, if it sets one. */
+/* A row's setting; if it sets a field of the desc, with that field's words and limits. */
 static kit_setting setting_of(const row *w)
 {
     kit_setting s = w->setting;
@@ -328,8 +328,8 @@ int kit_method_setting(kit_setting *setting, const kit_method *method, int i)
     return 1;
 }
 
-/* What a setting starts from: what the method's chain has, where that is not 0; the frame that suits it, for a radius
-   of 1; or else the row's own value. */
+/* The initial value of a setting: that of the method's chain if it is not 0; that of the frame for a radius of 1; or
+   else the row's own. */
 static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl_frame *frame)
 {
     int value = 0;
@@ -338,13 +338,13 @@ static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl
     if (w == &history_row) return chain->history;
     if (w->where & (FRAME | SCALED)) {
         memcpy(&real, (const char *)frame + w->offset, sizeof real);
-        return round(1e6 * (double)real) / 1e6;                         /* 0.3f is not 0.3 */
+        return round(1e6 * (double)real) / 1e6;                         /* 0.3f becomes 0.3 */
     }
     if (w->where & GATHER) memcpy(&value, (const char *)&chain->desc + w->offset, sizeof value);
     return value ? value : w->setting.value;
 }
 
-/* The chain of a method by its name, and the frame that suits it with a radius of 1. */
+/* The chain of a method by its name, and its frame for a radius of 1. */
 static ssgi_result library_of(ssgi_gl_chain *chain, ssgi_gl_frame *frame, const char *name, const char **why)
 {
     static const float projection[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0 };
@@ -394,8 +394,8 @@ static const char *const renamed[][2] = { { "thin", "thickness" },     { "hard",
                                           { "front", "near_depth" },   { "nearest", "distance_clamp" },
                                           { "steepest", "max_slope" }, { "casters", "occluders" } };
 
-/* The number of a word among a setting's, whatever its case, with - for _; or the number as it stands. -1: it has no
-   such word. */
+/* The number of a word among a setting's words, in any case and with - for _; or a number as it stands. -1: no such
+   word. */
 static int choice_of(const char *words, const char *value)
 {
     int k = 0;
@@ -422,7 +422,7 @@ size_t kit_setting_word(char *out, size_t size, const kit_setting *s, int number
     return n;
 }
 
-/* The value that a setting's text means. */
+/* Parses the value of a setting. */
 static int parse_value(double *out, const kit_setting *s, const char *text, kit_error *err)
 {
     char *end;

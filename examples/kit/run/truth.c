@@ -1,8 +1,8 @@
-/* truth.c - the ray-traced truth of what a method computes. Declared in kit_gl.h. */
+/* truth.c - the ray-traced ground truth of a method's result. Declared in kit_gl.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 
-/* Deep screen space, whose occluders and emitters count whole within the radius. */
+/* Deep screen space, without attenuation: occluders and emitters have full weight within the radius. */
 static int trace_deep(kit_image *out, const kit_method *m, const kit_scene *scene, const kit_camera *camera,
                       const kit_lighting *lighting, float radius, int rays, int stride, kit_error *err)
 {
@@ -28,7 +28,7 @@ int kit_method_truth(kit_image *out, const kit_method *m, const kit_scene *scene
         return trace_deep(out, m, scene, camera, lighting, radius, rays, stride, err);
     if (m->lit) {
         const int vpls = m->set.vpls > 0, bounce = m->set.bounce || m->set.indirect || vpls;
-        const int all = m->set.suns || vpls; /* these see as far as shadow maps do */
+        const int all = m->set.suns || vpls; /* shadows have unlimited range */
         return kit_truth_lit(out, scene, camera, lighting, all ? INFINITY : radius,
                              all ? KIT_ATTENUATION_NONE : attenuation, bounce, rays, stride, err);
     }

@@ -1,11 +1,11 @@
-/* views.c - what a G-buffer shows, and extra cameras that look at it from elsewhere. Declared in kit_run.h. */
+/* views.c - the places that a G-buffer shows, and extra cameras that see them from elsewhere. Declared in kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The points in the world that a frame shows, into seen, with their sums in sum (x, y, z, count) and the sum of their
-   squares; and of the middle of the picture every 7th depth, whose number is returned. */
+/* Writes the world-space points of a frame into seen, with their sums (x, y, z, count) in sum and the sum of their
+   squares. depths gets every 7th depth of the middle of the picture; returns their number. */
 static size_t gather_points(kit_seen_places *seen, float *depths, double sum[4], double *squares,
                             const kit_image *frame, const kit_camera *c)
 {
@@ -85,7 +85,7 @@ void kit_rotation_of(float rotation[12], const float a[16], const float b[16])
         }
 }
 
-/* Extra camera v, as it looks at a sphere. */
+/* Places extra camera v so that it looks at a sphere. */
 static int extra_camera(kit_camera *c, int v, const float picture[16], const kit_sphere *about, int size,
                         kit_error *err)
 {
@@ -94,7 +94,7 @@ static int extra_camera(kit_camera *c, int v, const float picture[16], const kit
     memcpy(from, picture, sizeof from);
     double depth = -(double)from[14];
     for (int k = 0; k < 3; ++k) depth -= (double)from[4 * k + 2] * (double)about->centre[k];
-    if (!(c->fovy > 0) && depth > 8 * (double)about->radius)       /* From afar all of them would see the same. */
+    if (!(c->fovy > 0) && depth > 8 * (double)about->radius)       /* From far away all cameras would see the same. */
         from[14] += (float)(depth - 3 * (double)about->radius);
     ssgi_extra_displacement(displacement, v);
     if (ssgi_extra_camera(to, projection, from, about->centre, about->radius, displacement, &why) != SSGI_OK)
@@ -107,14 +107,14 @@ static int extra_camera(kit_camera *c, int v, const float picture[16], const kit
     c->fovy = (float)(2 * atan(1 / (double)projection[5]) * 180 / KIT_PI);
     c->ortho_height = 0;
     c->znear = projection[14] / (projection[10] - 1);
-    c->zfar = 0;                           /* the sphere is of what is seen: behind it the scene goes on */
+    c->zfar = 0;                           /* the sphere only holds visible places; the scene continues behind it */
     c->depth = KIT_DEPTH_NORMAL;
     c->shift[0] = c->shift[1] = 0;
     c->width = c->height = size;
     return 0;
 }
 
-/* The frames of extra camera v, for its own passes and for what gathers look at from the picture. */
+/* The frames of extra camera v: for its own passes, and for gathers of the picture that read it. */
 static void extra_frames(kit_making *m, int v, const ssgi_view *view, const float picture[16], const float to[16])
 {
     kit_run *run = m->run;
@@ -132,7 +132,7 @@ static void extra_frames(kit_making *m, int v, const ssgi_view *view, const floa
     run->extra[2 * v + 1] = frame;
 }
 
-/* Extra camera v: its G-buffer, its frames; its layers' depths into depth. */
+/* Adds extra camera v: its G-buffer and frames; the depths of its layers go into depth. */
 static int add_view(kit_making *m, int v, const float picture[16], const kit_sphere *about, float *depth)
 {
     kit_run *run = m->run;

@@ -1,14 +1,14 @@
-/* assimp.c - models that Assimp reads, as triangles of the world. Declared in kit_models.h. With KIT_ASSIMP it is
-   compiled against the library, else without; no other file knows it.
+/* assimp.c - reads models by Assimp as triangles in world space. Declared in kit_models.h. With KIT_ASSIMP it is
+   compiled against the library, else without; no other file knows the library.
 
-   Taken: triangles of all nodes, where the file's own pose has them, of glTF with the morphs that it begins with; names
-   of nodes and meshes, for objects; normals where there are any; base or diffuse colours, times the mean of their
-   texture and the corners' own. What alpha cuts is cut. Not taken: others' morphs, movement, lights, cameras, emission,
-   glass. Units are the file's; so are axes, but for FBX, and for those that Assimp turns upright itself (Collada, IFC,
-   3DS).
+   Taken: triangles of all nodes in the file's own pose, for glTF with its initial morph weights; names of nodes and
+   meshes, for objects; normals if there are any; base or diffuse colours, times the mean of their texture and the
+   corners' colours. Cards are cut by alpha. Not taken: morphs of other formats, animation, lights, cameras, emission,
+   glass. Units are the file's; so are axes, except for FBX, and for formats that Assimp turns upright itself (Collada,
+   IFC, 3DS).
 
-   Assimp's numbers are floats. Of what lies far from 0 an OBJ's text is moved before it reads that, and a glTF's places
-   of nodes are taken from its JSON; what stays coarse is said. */
+   Assimp's numbers are floats. If a model is far from 0, an OBJ's text is moved before Assimp reads it, and a glTF's
+   node transforms are taken from its JSON; the note says which numbers stay coarse. */
 #include "kit/kit_models.h"
 #include <stddef.h>
 
@@ -43,8 +43,8 @@ int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, c
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* A small file may name one mesh a thousand times. CELLS: squares of texels that cards are cut along, of all and of
-   one of them. */
+/* Limits, because a small file may name one mesh a thousand times. CELLS: squares of texels that cards are cut along,
+   of all cards and of one card. */
 enum {
     MOST_MESHES = 1 << 18,
     MOST_TRIANGLES = 1 << 24,
@@ -57,7 +57,7 @@ enum {
 
 enum { NO_MASK, WHERE_IT_CUTS, MASK };
 
-/* What is known of a texture, of the texels whose alpha is at least so much. */
+/* A texture that was read, considering texels whose alpha is at least `least`. */
 typedef struct known {
     struct aiString path;
     int bright, least, masked, cuts;
@@ -65,12 +65,12 @@ typedef struct known {
     kit_mask mask;
 } known;
 
-/* What a material is here. of: number of the texture that cuts it, -1: none. */
+/* The kit's form of a material. of: number of the texture that cuts it, -1: none. */
 typedef struct look {
     float albedo[3];
     int grey, of, wrap[2];
     unsigned uv;
-    double to_texture[2][3]; /* from a mesh's coordinates, rows */
+    double to_texture[2][3]; /* rows: from a mesh's coordinates to the texture's */
 } look;
 
 /* rows; the last is 0 0 0 1 */
@@ -86,26 +86,26 @@ typedef struct twin {
 
 typedef struct reader {
     const struct aiScene *scene;
-    place root;       /* turns all upright, and moves it near 0 */
-    double origin[3]; /* from there */
+    place root;       /* turns the model upright and moves it near 0 */
+    double origin[3]; /* the point that moves to 0 */
     kit_soup *soup;
     kit_source from;
     char *note;
     int missing, emits, gltf;
     kit_gltf json;
-    kit_array twins;    /* twin, by its node; none: another format, or Assimp's nodes are not the file's */
-    int precise;        /* places are the twins' */
-    int measures;       /* what is read is measured, and no more */
+    kit_array twins;    /* twin, sorted by node; none: another format, or nodes that do not match the file's */
+    int precise;        /* 1: transforms are taken from the twins */
+    int measures;       /* 1: triangles are only measured */
     float lower[3], upper[3];
-    double vertex_gap, node_gap; /* how far apart floats lie: of vertices, and of nodes' places, in the world */
+    double vertex_gap, node_gap; /* spacing of floats at vertices and at nodes' places, in world space */
     kit_array textures; /* known */
     look *looks;        /* one a material */
-    double cells;       /* a card's */
+    double cells;       /* the most cells of a card */
     size_t meshes, triangles;
-    float *position, *normal; /* of the present mesh, 3 a vertex, in the world */
-    char *used;               /* its vertices that triangles name */
-    double weight[MOST_WEIGHTS]; /* of the present node's morphs */
-    size_t weights;              /* that it has of its own */
+    float *position, *normal; /* of the present mesh, 3 a vertex, in world space */
+    char *used;               /* 1: a triangle uses the vertex */
+    double weight[MOST_WEIGHTS]; /* weights of the present node's morphs */
+    size_t weights;              /* their number, if the node has its own */
 } reader;
 
 const char *kit_assimp_version(void)
@@ -121,12 +121,12 @@ int kit_assimp_takes(const char *ending) { return aiIsExtensionSupported(ending)
 
 static void remark(reader *r, const char *texture, const char *why)
 {
-    if (!strncmp(texture, "$texture_dummy", 14)) return; /* Assimp's own */
+    if (!strncmp(texture, "$texture_dummy", 14)) return; /* Assimp's placeholder */
     if (r->missing++) snprintf(r->note, KIT_NOTE, "%d textures could not be read, and are left out", r->missing);
     else kit_note(r->note, "texture %.150s %.60s, and is left out", texture, why);
 }
 
-/* The whole file that a model names: as it is named, or beside the model. */
+/* Reads the file that a model names, by its path or from the model's folder. */
 static int beside(char **data, size_t *size, const reader *r, const char *name)
 {
     const char *slash = strrchr(r->from.path, '/'), *base = name + strlen(name);
@@ -138,7 +138,7 @@ static int beside(char **data, size_t *size, const reader *r, const char *name)
         const int length = snprintf(path, sizeof path, "%.*s%s", own ? 0 : folder, r->from.path, way < 2 ? name : base);
         if (length < 0 || (size_t)length >= sizeof path) return -1;
         for (char *p = path + folder, *to = p; way > 0 && (*to = *p) != 0; ++p, ++to) {
-            unsigned byte; /* as Windows and as URIs write it */
+            unsigned byte; /* as Windows paths and URIs have it */
             if (*p == '\\') *to = '/';
             else if (way & 1 && *p == '%' && sscanf(p + 1, "%2x", &byte) == 1 && byte && p[1] && p[2]) {
                 *to = (char)byte;
@@ -150,7 +150,7 @@ static int beside(char **data, size_t *size, const reader *r, const char *name)
     return -1;
 }
 
-/* Of one within the model whose texels stand there as they are. */
+/* Reads a texture that the model contains uncompressed. */
 static int plain_texels(kit_picture *t, const struct aiTexture *from)
 {
     const size_t texels = (size_t)from->mWidth * from->mHeight;
@@ -195,8 +195,8 @@ static int texture_open(kit_picture *t, reader *r, const char *path)
     return failed;
 }
 
-/* Its number, -1: no memory. Each is opened once for each way that it is looked at; one that cannot be read is
-   white. */
+/* A texture's number, -1: no memory. A texture is opened once for each combination of arguments; one that cannot be
+   read is white. */
 static int texture_known(reader *r, const struct aiString *path, int bright, int least, int masked)
 {
     kit_picture t;
@@ -222,7 +222,7 @@ static known *known_of(const reader *r, int i) { return (known *)r->textures.dat
 
 /* ---- >>materials ------------------------------------------------------------------------------------------------- */
 
-/* KHR_texture_transform, v down, from what Assimp makes of it, whose own use of that is another. */
+/* KHR_texture_transform, v down, from Assimp's form of it, which has another convention. */
 static void gltf_transform(look *l, const struct aiMaterial *m, enum aiTextureType type)
 {
     struct aiUVTransform t = { { 0, 0 }, { 1, 1 }, 0 };
@@ -258,7 +258,7 @@ static int texture_of(const reader *r, const struct aiMaterial *m, enum aiTextur
     return 1;
 }
 
-/* The least alpha of texels that are there: of what a material of glTF says, or where nothing is said half; 0: all. */
+/* The least alpha of opaque texels: as a glTF material says; 0.5 if a material does not say; 0: all are opaque. */
 static int least_alpha(const reader *r, const struct aiMaterial *m, float factor, int *masked)
 {
     struct aiString mode = { 0 };
@@ -287,7 +287,7 @@ static int look_at(reader *r, look *l, const struct aiMaterial *m)
     *l = (look){ .of = -1 };
     const int textured = texture_of(r, m, aiTextureType_BASE_COLOR, &path, l)
                       || texture_of(r, m, aiTextureType_DIFFUSE, &path, l);
-    /* what stands in for a material where a file has none */
+    /* the material that Assimp adds if a file has none */
     l->grey = !textured
            && (!coloured || !strcmp(name.data, AI_DEFAULT_MATERIAL_NAME)
                || (!*name.data && colour.r == 1 && colour.g == 1 && colour.b == 1));
@@ -347,7 +347,7 @@ static int pair(reader *r, const struct aiNode *n, const char *json)
     return child ? -1 : 0;
 }
 
-/* Assimp's nodes are the file's, in its order, below one of its own where there are several roots. */
+/* Pairs Assimp's nodes with the file's, in the same order; above several roots Assimp has one of its own. */
 static void pair_nodes(reader *r)
 {
     const struct aiNode *root = r->scene->mRootNode;
@@ -360,14 +360,14 @@ static void pair_nodes(reader *r)
     else qsort(r->twins.data, r->twins.count, sizeof(twin), by_node);
 }
 
-/* From a number to the next float. */
+/* The distance from a number to the next float. */
 static double gap_at(double x)
 {
     const float f = fabsf((float)x);
     return (double)nextafterf(f, INFINITY) - (double)f;
 }
 
-/* The largest of its coordinates' gaps, of what lies there at a place. */
+/* The largest rounding step of the coordinates of a point `at` that a place transforms. */
 static double gap_of(const place *p, const double at[3])
 {
     double most = 0;
@@ -390,7 +390,7 @@ static place times(const place *a, const place *b)
     return out;
 }
 
-/* Of the matrix that turns normals, whose signs are those of a mirror's, too; the determinant. */
+/* The matrix for normals, correct in sign also for mirrors. Returns the determinant. */
 static double cofactors(const place *p, double out[3][3])
 {
     double determinant = 0;
@@ -404,7 +404,7 @@ static double cofactors(const place *p, double out[3][3])
     return determinant;
 }
 
-/* Adds by how much a morph moves, by a weight. */
+/* Adds the displacement of a morph, times a weight. */
 static void add_morph(double to[3], const struct aiVector3D *base, const struct aiVector3D *morph, double weight)
 {
     to[0] += weight * ((double)morph->x - (double)base->x);
@@ -412,7 +412,7 @@ static void add_morph(double to[3], const struct aiVector3D *base, const struct 
     to[2] += weight * ((double)morph->z - (double)base->z);
 }
 
-/* Adds what a vertex is at a place, by a weight. */
+/* Adds a vertex transformed by a place, times a weight. */
 static void add_vertex(reader *r, const struct aiMesh *m, unsigned v, const place *p, double turn[3][3], double weight)
 {
     if (!r->used[v]) return;
@@ -437,7 +437,7 @@ static void add_vertex(reader *r, const struct aiMesh *m, unsigned v, const plac
         r->normal[3 * (size_t)v + (size_t)i] += (float)(weight * turned[i] / sqrt(length));
 }
 
-/* The node of a name and its place; 0: there is none. */
+/* Finds the node of a name and its place; 0: there is none. */
 static int node_named(const reader *r, const struct aiNode *n, const char *name, const place *above, place *out)
 {
     const place own = place_of(r, n);
@@ -451,7 +451,7 @@ static int node_named(const reader *r, const struct aiNode *n, const char *name,
 
 static const place nowhere = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
 
-/* All vertices where bones hold them, in the pose that the file is in; those without one stay at 0. */
+/* Skins all vertices in the file's own pose; vertices without a bone stay at 0. */
 static void hold(reader *r, const struct aiMesh *m, float *held)
 {
     for (unsigned b = 0; b < m->mNumBones; ++b) {
@@ -473,7 +473,7 @@ static void hold(reader *r, const struct aiMesh *m, float *held)
 
 /* ---- >>meshes ---------------------------------------------------------------------------------------------------- */
 
-/* Colours of corners are linear in glTF; elsewhere they are what is shown. */
+/* Vertex colours are linear in glTF and sRGB in other formats. */
 static float linear(const reader *r, float v)
 {
     const double x = fmax(0, (double)v);
@@ -560,7 +560,7 @@ static void measure_mesh(reader *r, const struct aiMesh *m)
         }
 }
 
-/* Its triangles, at a place; or by how much they widen the bounds. */
+/* Adds a mesh's triangles at a place; or, while measuring, only widens the bounds. */
 static int add_mesh(reader *r, const struct aiMesh *m, const place *p)
 {
     const size_t n = m->mNumVertices;
@@ -632,7 +632,7 @@ static int measure(reader *r)
     return failed;
 }
 
-/* Where floats are coarse, places are taken from the file's JSON, if it has that; then all is moved near 0. */
+/* If floats are too coarse, takes places from the file's JSON, if it has one; then moves the model near 0. */
 static int approach(reader *r)
 {
     if (r->gltf) pair_nodes(r);
@@ -648,13 +648,13 @@ static int approach(reader *r)
 /* ---- >>guard ----------------------------------------------------------------------------------------------------- */
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-enum { SANITIZED = 1 }; /* which takes all addresses there are */
+enum { SANITIZED = 1 }; /* a sanitizer reserves the whole address space */
 #else
 enum { SANITIZED = 0 };
 #endif
 
-/* While Assimp reads, nothing is printed, and time and memory are what a good file of that size takes in the slowest
-   case, and then some. */
+/* While Assimp reads, its output is discarded, and time and memory are limited to more than a good file of that size
+   needs in the slowest case. */
 typedef struct guard {
     int printed[2];
     struct rlimit time, memory;
@@ -705,7 +705,7 @@ static int number_of(const struct aiMetadata *data, const char *key, int otherwi
     return otherwise;
 }
 
-/* An FBX says which of its axes are up, to the front and to the right; Assimp leaves them to who reads it. */
+/* An FBX says which of its axes point up, to the front and to the right; Assimp does not apply this. */
 static place upright(const struct aiScene *s)
 {
     static const char *const axis[3] = { "CoordAxis", "UpAxis", "FrontAxis" };
@@ -749,7 +749,7 @@ static int assimp_fail(const char *path, const char *format, kit_error *err)
     return kit_fail(err, "%s: is %s that cannot be read: %.*s", path, format, (int)(n < 400 ? n : 400), said);
 }
 
-/* Those of meshes without faces, or whose faces are points. */
+/* The number of points in meshes without faces, or whose faces are points. */
 static size_t points_of(const struct aiScene *scene)
 {
     size_t points = 0;
@@ -759,7 +759,7 @@ static size_t points_of(const struct aiScene *scene)
     return points;
 }
 
-/* Its triangles and their objects. */
+/* Takes the scene's triangles and their objects. */
 static int take_scene(reader *r)
 {
     const struct aiNode *root = r->scene->mRootNode;

@@ -78,7 +78,7 @@ static void rug_and_table(kit_build *b)
     }
 }
 
-/* And a ball on the floor, a lamp above. */
+/* Things on the table, a ball on the floor, a lamp above. */
 static void on_the_table(kit_build *b)
 {
     static const kit_moulding shade[] = { {0.24, 0, 0.08, 0.22, 0.01}, {0.08, 0.22, 0, 0.22, 0} };
@@ -136,7 +136,8 @@ static void soffit_surface(const void *shape, double u, double v, kit_vertex *ou
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = -cos(a);
 }
 
-/* a wall along z, thickness 2 t, from the springing to the top, with a round arch between two columns half bays away */
+/* a wall along z, 2 t thick, from the springing to the top, with a round arch between two columns, each half_bay
+   away */
 static void arch(kit_build *b, double radius, double spring, double top, double t, double half_bay)
 {
     const double shape[3] = { radius, spring, t };

@@ -1,8 +1,7 @@
-/* cards.c - triangles cut along the texels that are there, as leaves and fences on cards are. Declared in
-   kit_models.h.
+/* cards.c - cuts triangles along opaque texels, as in leaves and fences on cards. Declared in kit_models.h.
 
-   A rectangle of texels that are all there, or all not, is one piece or none; others are halved, down to a texel or a
-   square of some. Both halves of a polygon share the corners where it is cut. */
+   A rectangle whose texels are all opaque is one piece, and one whose texels are all transparent none; others are
+   halved, down to a texel or a square of several. Both halves of a polygon share the corners on the cut. */
 #include "kit/kit_models.h"
 #include <math.h>
 #include <stdlib.h>
@@ -53,7 +52,7 @@ static void add(polygon *p, const corner *c)
     if (p->count < MOST_CORNERS) p->c[p->count++] = *c;
 }
 
-/* What lies on either side of a line along the other axis. */
+/* Splits a polygon at a line along the other axis. */
 static void halve(const polygon *p, int axis, double line, polygon half[2])
 {
     half[0].count = half[1].count = 0;
@@ -77,7 +76,7 @@ static void halve(const polygon *p, int axis, double line, polygon half[2])
 
 typedef struct cutting {
     kit_mask *mask;
-    int side; /* of the squares that are not cut, texels */
+    int side; /* of the smallest squares, texels */
     kit_piece *piece;
     void *context;
 } cutting;
@@ -93,7 +92,7 @@ static int give(const cutting *c, const polygon *p)
     return 0;
 }
 
-/* A square that is there in part: thin leaves are not lost, and wide ones do not grow. */
+/* Keeps or drops a partly opaque square so that the total area is right: thin leaves stay, wide ones do not grow. */
 static int share(const cutting *c, const polygon *p, double there)
 {
     double area = 0;
@@ -108,7 +107,7 @@ static int share(const cutting *c, const polygon *p, double there)
     return give(c, p);
 }
 
-/* Of a polygon that lies in the rectangle. */
+/* Cuts a polygon that is inside the rectangle. */
 static int cut(const cutting *c, const polygon *p, const int low[2], const int high[2])
 {
     const int wide = high[0] - low[0], tall = high[1] - low[1], axis = tall > wide;
@@ -124,7 +123,7 @@ static int cut(const cutting *c, const polygon *p, const int low[2], const int h
     return cut(c, &half[0], low, lower) || cut(c, &half[1], upper, high) ? -1 : 0;
 }
 
-/* The square's side: so many squares of it are at most in the triangle or on its edge. */
+/* The side of the squares: at most `most` of them are in the triangle or on its edge. */
 static int side_of(const double at[3][2], double most)
 {
     double area = 0, edges = 0;
@@ -138,7 +137,8 @@ static int side_of(const double at[3][2], double most)
     return side;
 }
 
-/* One copy of the picture: the triangle in its texels; where edges go on for ever, all that is beyond is theirs. */
+/* Cuts the triangle, in texels, to one tile of a repeated picture; if the picture is clamped, all that is beyond an
+   edge belongs to the tile there. */
 static int cut_tile(const cutting *c, const int wrap[2], const double at[3][2], const int tile[2])
 {
     const int size[2] = { c->mask->width, c->mask->height }, low[2] = { 0, 0 };

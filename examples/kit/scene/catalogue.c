@@ -1,5 +1,5 @@
-/* catalogue.c - models of Debian's packages: single files, and the furniture of Sweet Home 3D, whose catalogues say how
-   large each is. Declared in kit_seed.h and kit.h. */
+/* catalogue.c - models of Debian's packages: single files, and the furniture of Sweet Home 3D, whose catalogues give
+   the sizes. Declared in kit_seed.h and kit.h. */
 #include "kit/kit_seed.h"
 #include <errno.h>
 #include <stdio.h>
@@ -25,7 +25,7 @@ enum { SINGLES = sizeof singles / sizeof *singles, ARCHIVES = sizeof archives / 
 
 /* ---- >>catalogues ------------------------------------------------------------------------------------------------ */
 
-/* A line of a catalogue: the model's file within its archive, its sides and how it is turned. */
+/* An entry of a catalogue: the model's file in its archive, the lengths of its sides and its rotation. */
 typedef struct entry {
     int archive, turned;
     double side[3];
@@ -33,7 +33,7 @@ typedef struct entry {
     char path[160], name[160];             /* "scopia/armchair3/armchair3.obj", without the last part */
 } entry;
 
-/* Read once, by whoever asks first: scenes are loaded by one thread. */
+/* Read at the first call. Not locked: one thread loads scenes. */
 static entry *entries;
 static int count;
 
@@ -62,7 +62,7 @@ static void read_line(entry *of, const char *line)
     for (int i = 0; i < 9; i++) e->turn[i] = strtof(value, (char **)&value);
 }
 
-/* Those of one archive, from its number 1 on, behind what is known. */
+/* Appends the entries of one archive, numbered from 1. */
 static int read_catalogue(int archive)
 {
     entry *of = calloc(MODELS, sizeof *of), *more = NULL;
@@ -99,7 +99,7 @@ static const struct single *single_named(const char *name, int length)
     return NULL;
 }
 
-/* Of those whose last part is the name the first. */
+/* The first entry whose last part is the name. */
 static const entry *entry_named(const char *name, int length)
 {
     read_catalogues();
@@ -120,7 +120,7 @@ const char *kit_scene_model(int i)
 
 /* ---- >>unpacking ------------------------------------------------------------------------------------------------- */
 
-/* The folder of the user's caches that unpacked models are in. */
+/* The folder for unpacked models in the user's cache. */
 static int cache_folder(char *out, size_t size)
 {
     const char *const given = getenv("XDG_CACHE_HOME"), *const home = getenv("HOME");
@@ -135,7 +135,8 @@ static int cache_folder(char *out, size_t size)
     return mkdir(out, 0777) && errno != EEXIST ? -1 : 0;
 }
 
-/* path: where the entry's file is. It is unpacked beside, and moved: another process may be doing the same. */
+/* Unpacks an entry's file and writes its path to path. The file is unpacked to a new folder and then moved, because
+   another process may do the same. */
 static int unpacked(char *path, size_t size, const entry *e, kit_error *err)
 {
     static const char script[] = "unzip -qq -o \"$1\" \"$2/*\" -d \"$4\" && mkdir -p \"$3/$2\" && "
@@ -161,7 +162,7 @@ static int unpacked(char *path, size_t size, const entry *e, kit_error *err)
 
 /* ---- >>reading --------------------------------------------------------------------------------------------------- */
 
-/* Turned as the catalogue says, by its rows. */
+/* Rotates a model by the catalogue's matrix, given as rows. */
 static void turn(kit_mesh *m, const float by[9])
 {
     for (size_t t = 0; t < 6 * m->triangles; t++) {
@@ -172,7 +173,7 @@ static void turn(kit_mesh *m, const float by[9])
     kit_mesh_bounds(m);
 }
 
-/* On y = 0, its middle on the axis, its sides as long as these; 0: as high as that, in proportion. */
+/* Puts a model on y = 0, its middle on the axis, and scales its sides to these; 0: as its height. */
 static void fit(kit_mesh *m, const double side[3])
 {
     double scale[3];

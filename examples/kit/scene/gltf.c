@@ -1,7 +1,8 @@
-/* gltf.c - what a glTF's JSON says of its nodes, which Assimp rounds to floats or leaves out. Declared in kit_models.h.
+/* gltf.c - reads properties of nodes from a glTF's JSON that Assimp rounds to floats or leaves out. Declared in
+   kit_models.h.
 
-   Assimp has read the file when nodes are asked for: its JSON is well formed then. Of one that is not, nothing is read
-   beyond the 0 at its end. */
+   Nodes are read only after Assimp has read the file, so its JSON is well formed. If it is not, nothing is read beyond
+   the 0 at its end. */
 #include "kit/kit_models.h"
 #include <math.h>
 #include <stdlib.h>
@@ -77,7 +78,7 @@ int kit_gltf_text(kit_gltf *g, const char *path, kit_error *err)
     memset(g, 0, sizeof *g);
     if (kit_file_read(&g->data, &size, path, err)) return -1;
     length = size;
-    if (size >= 20 && !memcmp(g->data, "glTF", 4)) { /* a head of 12 bytes, then the JSON's length and kind */
+    if (size >= 20 && !memcmp(g->data, "glTF", 4)) { /* a header of 12 bytes, then the JSON's length and kind */
         const unsigned char *p = (const unsigned char *)g->data + 12;
         length = (size_t)p[0] | (size_t)p[1] << 8 | (size_t)p[2] << 16 | (size_t)p[3] << 24;
         from = 20;

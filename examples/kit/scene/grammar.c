@@ -1,5 +1,5 @@
-/* grammar.c - builds scenes from rows: what stands where, how often, how large, by chances that follow from names.
-   Declared in kit_seed.h, where the rows' columns are explained. */
+/* grammar.c - builds scenes from rows: places, numbers and sizes of things, by chances that follow from names. Declared
+   in kit_seed.h, which explains the columns. */
 #include "kit/kit_seed.h"
 #include <math.h>
 #include <stdio.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 
 enum { VARIABLES = 256, NUMBERS = 64, ALTERNATIVES = 24, DEEPEST = 24, CLAIMS = 1024, TRIES = 16 };
-/* No thing is begun beyond so many triangles; a model that would bring more is left out. */
+/* No thing is begun after so many triangles, and a model that would exceed them is left out. */
 enum { MOST_TRIANGLES = 220000, MOST_MODEL = 60000 };
 
 typedef struct variable {
@@ -26,10 +26,10 @@ typedef struct walk {
     kit_plot *p;
     kit_error *err;
     int models;
-    kept model[MODELS_KEPT];               /* that were read */
-    const kit_row *row;                    /* for complaints */
+    kept model[MODELS_KEPT];               /* models read so far */
+    const kit_row *row;                    /* for error messages */
     int variables, deep, claims;
-    uint32_t thing;                        /* what the paints of the present one follow from */
+    uint32_t thing;                        /* seed of the present thing's colours */
     variable variable[VARIABLES];
     claim claim[CLAIMS];
 } walk;
@@ -55,7 +55,7 @@ static double chance_of(uint32_t key) { return (double)key * 0x1p-32; }
 
 /* ---- >>numbers --------------------------------------------------------------------------------------------------- */
 
-/* An expression as it is read; drawn: how many chances it has drawn so far. */
+/* An expression that is being read; drawn: the number of chances drawn so far. */
 typedef struct reading {
     walk *w;
     const char *at;
@@ -174,7 +174,7 @@ static double alternatives(reading *r)
     return count == 1 ? of[0] : of[(int)(count * chance_of(mixed(r->key, ++r->drawn)))];
 }
 
-/* One number; *text moves behind it. */
+/* Reads one number; *text moves past it. */
 static double number(walk *w, const char **text, uint32_t key)
 {
     reading r = { w, *text, key, 0 };
@@ -184,7 +184,7 @@ static double number(walk *w, const char **text, uint32_t key)
     return v;
 }
 
-/* All of a text, up to a word that begins a rule; how many. */
+/* Reads the numbers of a text up to a word that begins a rule, and returns how many there are. */
 static int numbers(walk *w, double out[NUMBERS], const char *text, uint32_t key)
 {
     int count = 0;
@@ -212,7 +212,7 @@ static const kit_row *thing_named(const char *name, size_t length)
     return NULL;
 }
 
-/* "name=number ..", where chances are the outer thing's; those that have a value since from are left. */
+/* Reads "name=number .." with the outer thing's chances; a variable that has a value, set since from, keeps it. */
 static void assign(walk *w, const char *text, uint32_t key, int from)
 {
     for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
@@ -249,7 +249,7 @@ static void make_thing(walk *w, const kit_row *thing, const char *given, uint32_
     --w->deep;
 }
 
-/* One of "a|b|c", up to a blank; *text moves behind all. */
+/* Chooses one of "a|b|c", which ends at a blank; *text moves past all. */
 static size_t one_of(const char **text, const char **name, uint32_t key)
 {
     const size_t all = strcspn(*text, " ");
@@ -261,7 +261,7 @@ static size_t one_of(const char **text, const char **name, uint32_t key)
     return strcspn(*name, "| ");
 }
 
-/* What has been built since is something to look at. */
+/* Makes all that was built since first a thing to look at. */
 static void add_sight(walk *w, size_t first)
 {
     const kit_mesh *m = &w->p->b.scene.mesh;
@@ -314,7 +314,7 @@ static const kit_mesh *model_of(walk *w, const char *name, int length)
     return &w->model[w->models++].mesh;
 }
 
-/* An object of its own, so many times as large. */
+/* Adds a model as an object of its own, scaled. */
 static void add_model(kit_build *b, const kit_mesh *m, double scale, const char *name, int length)
 {
     char title[64];
@@ -378,7 +378,7 @@ static const struct palette { const char *name; int count; float colour[6][3]; }
 };
 /* clang-format on */
 
-/* key: of the copy, whose shade differs a little from its neighbours' */
+/* key: of the copy; its shade differs a little from other copies' */
 static void paint(walk *w, const char *name, uint32_t key)
 {
     if (!*name) return;
@@ -416,7 +416,7 @@ static void make_pane(kit_build *b, const double *v)
     kit_quad(b, (const double(*)[3])c);
 }
 
-/* width, height, waves, depth */
+/* shape: width, height, waves, depth */
 static void cloth_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, a = 2 * KIT_PI * s[2] * u, deep = s[3] * (0.35 + 0.65 * v);
@@ -462,7 +462,7 @@ static void rock_surface(const void *shape, double u, double v, kit_vertex *out)
         for (int i = 0; i < 3; i++) out->n[i] = -out->n[i];
 }
 
-/* Flat sides where facets is not 0. */
+/* If facets is not 0 the rock has flat sides. */
 static void make_rock(kit_build *b, const double *v, uint32_t key)
 {
     const rock r = { v, key & 0xffffff };
@@ -499,7 +499,7 @@ static void make_ground(walk *w, const double *v, int count, uint32_t key)
     else kit_level(&w->p->b, v[0], v[1], v[2], v[3], 0);
 }
 
-/* Out of the present thing's axes. */
+/* From the present thing's axes to the world's. */
 static void to_world(const kit_frame *f, const double in[3], double out[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -508,7 +508,7 @@ static void to_world(const kit_frame *f, const double in[3], double out[3])
     }
 }
 
-/* Takes up what a scene says of itself; 0: it is a shape's row. */
+/* Handles a row that sets a property of the scene; 0: it is a shape's row. */
 static int note(walk *w, const kit_row *row, const double *v, int count, uint32_t key)
 {
     kit_plot *const p = w->p;
@@ -570,7 +570,7 @@ static void make_shape(walk *w, const kit_row *row, uint32_t key)
 
 /* ---- >>copies ---------------------------------------------------------------------------------------------------- */
 
-/* Takes a disc about a place of the present thing, unless one nearby is taken. */
+/* Claims a disc about a place of the present thing, unless it meets a claimed one. */
 static int clear(walk *w, const double place[3], double radius)
 {
     double at[3];
@@ -586,7 +586,7 @@ static int clear(walk *w, const double place[3], double radius)
 
 enum { X, Y, Z, TURN, TILT, SCALE, PLACES };
 
-/* Where a copy goes; 0: all that was tried is taken. */
+/* Finds a place for a copy; 0: all places that it tried are claimed. */
 static int find_place(walk *w, const char *at, uint32_t key, double place[PLACES])
 {
     static const int order[PLACES] = { X, Z, Y, TURN, TILT, SCALE };
@@ -655,7 +655,7 @@ static void make_row(walk *w, const kit_row *row, uint32_t key)
     }
 }
 
-/* Of a row that names things or models: whether they are there. */
+/* Checks that the things or models exist that a row names. */
 static int check_row(const kit_row *row, kit_error *err)
 {
     for (const char *name = row->numbers; *name && *name != ' ';) {
@@ -708,7 +708,7 @@ double kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *
     p->stand[0] = p->stand[1] = -12;
     p->stand[2] = p->stand[3] = 12;
     p->sight[p->sights++] = (kit_sight){ { 0, by * half[1], 0 }, 1 };
-    /* Its middle is often hollow: the others are at its surface. */
+    /* a model is often hollow in the middle, so the other things to look at are on its surface */
     for (uint32_t k = 0; k < 6 && m.triangles; k++) {
         const float *const at = m.position + 9 * (size_t)((double)m.triangles * chance_of(mixed(seed, k)));
         p->sight[p->sights++] = (kit_sight){ { by * (double)at[0], by * (double)at[1], by * (double)at[2] }, 0.4 };

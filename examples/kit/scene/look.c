@@ -1,13 +1,12 @@
-/* look.c - where the camera of a scene by seed stands, and the radius: tried until the picture shows something.
-   Declared in kit_seed.h. */
+/* look.c - places the camera of a scene by seed, and sets the radius, by trial pictures. Declared in kit_seed.h. */
 #include "kit/kit_seed.h"
 #include "ssgi.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Ways of looking: as who stands there; along the ground; from above; from within clutter, some of it cut by the near
-   plane; from far; without perspective. */
+/* Views: at eye height; along the ground; from above; from within clutter, some of it cut by the near plane; from far
+   away; orthographic. */
 enum { EYE, LOW, ABOVE, INSIDE, FAR_OFF, FLAT };
 
 static const int ways[] = { EYE, LOW, ABOVE, INSIDE, EYE, FAR_OFF, ABOVE, INSIDE, LOW, EYE, FLAT, EYE };
@@ -17,17 +16,17 @@ enum {
     ACROSS = 32, /* rays of a trial picture */
     DOWN = 18,
     RAYS = ACROSS * DOWN,
-    PROBED = 8, /* each so many-th of them looks at what is around where it hits, */
-    AROUND = 6, /* by so many rays */
+    PROBED = 8, /* one ray in so many probes the surroundings of its hit */
+    AROUND = 6, /* with so many rays */
     TRIALS = 160
 };
 
-/* Radii as shares of the picture's height: spread evenly in their logarithm, by the golden ratio. */
+/* Radii as parts of the picture's height: spread evenly in their logarithm, by the golden ratio. */
 static const double LEAST_SHARE = 0.02, MOST_SHARE = 0.3, GOLDEN = 0.6180339887498949;
 
-/* What a trial picture shows. seen: share of rays that hit; backs: share of hits from behind; near, middle: the 4th
-   percentile and median of view depth; occlusion: mean, within the radius; occluded: share of places that have some;
-   objects: how many are seen; largest: the share of hits that are on one. */
+/* Measures of a trial picture. seen: part of the rays that hit; backs: part of the hits from behind; near, middle: the
+   4th percentile and median of view depth; occlusion: its mean within the radius; occluded: part of the places that
+   have some; objects: how many are seen; largest: part of the hits that are on one object. */
 typedef struct shown {
     double seen, backs, nearest, middle, occlusion, occluded, largest;
     int objects;
@@ -72,7 +71,7 @@ static int by_depth(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* the face's normal, turned to where the ray came from; 1: it was hit from behind */
+/* the face's normal, turned toward the ray's origin; 1: hit from behind */
 static int facing(double n[3], const kit_mesh *m, uint32_t triangle, const float direction[3])
 {
     const float *p = m->position + 9 * (size_t)triangle;
@@ -89,7 +88,7 @@ static int facing(double n[3], const kit_mesh *m, uint32_t triangle, const float
     return behind;
 }
 
-/* what lies in the way of some rays, cosine-weighted, linear attenuation */
+/* occlusion of some cosine-weighted rays, with linear attenuation */
 static double occluded(const viewer *v, const float at[3], const double n[3], float radius)
 {
     double sum = 0;
@@ -112,7 +111,7 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* How many objects are hit, and the share of hits on one; sorts them. */
+/* The number of objects that are hit, and the largest part of the hits on one; sorts them. */
 static void count_objects(shown *s, uint32_t *object, int hits)
 {
     qsort(object, (size_t)hits, sizeof *object, by_number);
@@ -165,7 +164,7 @@ static shown look_through(const viewer *v, const kit_camera *c)
 
 static double clamped(double v, double low, double high) { return fmax(low, fmin(high, v)); }
 
-/* A camera that looks at a sight from a direction and a distance, as far as one may stand there. */
+/* A camera that looks at a thing from a direction and a distance, but inside the area for the eye. */
 static void stand_at(kit_camera *c, const kit_plot *p, const double at[3], double turn, double away, double height)
 {
     const double x = clamped(at[0] + away * cos(turn), p->stand[0], p->stand[2]),
@@ -188,7 +187,7 @@ static kit_camera try_way(kit_plot *p, int way, kit_camera c)
     for (int i = 0; i < 3; i++) at[i] = s->at[i] + kit_between(b, -0.4, 0.4) * reach;
     c.fovy = (float)kit_between(b, 40, 68);
     c.znear = 0.02f;
-    /* Which argument a compiler works out first is its own affair, so chances are drawn before the call. */
+    /* Compilers evaluate arguments in different orders, so chances are drawn before the call. */
     if (way == EYE) {
         const double away = reach * kit_between(b, 1.2, 3) + 0.8, height = kit_between(b, 1.35, 1.75);
         stand_at(&c, p, at, turn, away, height);
@@ -222,7 +221,7 @@ static kit_camera try_way(kit_plot *p, int way, kit_camera c)
     return c;
 }
 
-/* How good a trial is; at least 1: good enough. */
+/* The quality of a trial; from 1 on: good enough. */
 static double worth(const shown *s, int way, int indoors, double share)
 {
     const double wanted = 0.2 * pow(share, 0.6), nearest = way == INSIDE ? 0.03 : 0.25;
@@ -259,7 +258,7 @@ int kit_look(kit_scene *s, kit_plot *p, unsigned seed)
         const double w = worth(&now, way, p->ceiling > 0, v.share);
         if (w <= most) continue;
         most = w;
-        /* half of the cameras in clutter cut what is nearest */
+        /* half of the cameras in clutter cut the nearest surfaces */
         c.znear = (float)fmax(0.005, way == INSIDE && seed & 1 ? 1.1 * now.nearest : 0.35 * now.nearest);
         best = c;
         s->radius = now.radius;

@@ -1,10 +1,10 @@
-/* mesh.c - triangles of Wavefront OBJ files: the models of scenes by seed, which are the same on every machine, those
-   of tests, and all where a build has no Assimp, which reads users' files.
+/* mesh.c - reads triangles of Wavefront OBJ files: models of scenes by seed, which are the same on every machine,
+   models of tests and, in a build without Assimp, users' files.
 
-   Read: v, vn, f, o, g, mtllib, usemtl; newmtl and Kd. All else is ignored: vt, lines, points, curves, textures.
-   Polygons: strictly convex ones become a fan, others are cut by clipping ears in the plane of their largest projection
-   (with more than MOST_EARS corners a fan again). Triangles without area are dropped, and so are faces of one or two
-   corners, which exporters write. Of several materials with one name the last counts. */
+   Read: v, vn, f, o, g, mtllib, usemtl; newmtl and Kd. All else is ignored: vt, lines, points, curves, textures. A
+   strictly convex polygon becomes a fan. Others are cut by clipping ears in the plane of their largest projection, or
+   become a fan if they have more than MOST_EARS corners. Triangles without area are dropped, and so are faces of one or
+   two corners, which exporters write. Of several materials with one name the last counts. */
 #include "kit/kit_obj.h"
 #include <math.h>
 #include <stdio.h>
@@ -21,10 +21,10 @@ typedef struct obj {
     kit_soup soup;
     kit_array normals;                     /* float[3] */
     kit_array corners;                     /* of the present face */
-    kit_array lines;                       /* char *: each without its end and its blanks in front */
-    kit_array materials, texts;            /* char *: the MTL files, which names are in */
+    kit_array lines;                       /* char *: each line without its end and leading blanks */
+    kit_array materials, texts;            /* char *: the MTL files, in which names point */
     size_t own_lines;                      /* the lines of the OBJ, which come first */
-    int bare;                              /* 0, or its materials are not read: 1, and so many MTL files */
+    int bare;                              /* 0; if materials are not read, 1 + number of MTL files */
     const float *albedo;
 } obj;
 
@@ -38,7 +38,7 @@ static char *behind_blanks(char *at)
     return at;
 }
 
-/* What stands behind a line's first word; NULL: that is another. */
+/* The text after a line's first word; NULL: it has another first word. */
 static char *behind(char *line, const char *word)
 {
     const size_t length = strlen(word);
@@ -53,8 +53,8 @@ static int add_line(obj *o, char *text)
     return line ? 0 : -1;
 }
 
-/* Each line becomes a text of its own; lines may end in CR alone. A backslash at the end of one continues it, not in a
-   comment, where Windows paths may end so: what follows is empty then, so that lines keep their numbers. */
+/* Splits a text into lines, which may end in CR alone. A backslash at the end continues a line, except in a comment, in
+   which it may end a Windows path. The line after a continued one is then empty, so that lines keep their numbers. */
 static int split(obj *o, char *text)
 {
     if (!strncmp(text, "\xEF\xBB\xBF", 3)) text += 3;    /* byte order mark */
@@ -85,7 +85,8 @@ static int wrong(const obj *o, const char *what, const char *at)
                   : kit_fail(o->from.err, "%s line %d: %s, but the line ends", o->from.path, o->from.line, what);
 }
 
-/* So many numbers, less an origin where there is one; what: of what. Behind them, NULL: they are not there. */
+/* Reads count numbers and subtracts an origin unless it is NULL; what: their name. Returns the text after them; NULL:
+   they are missing. */
 static char *floats(const obj *o, float *out, int count, char *at, const char *what, const double *origin)
 {
     for (int i = 0; i < count; ++i) {
@@ -111,7 +112,7 @@ static kit_key trimmed(const char *at, size_t length)
 
 static kit_key rest_of(const char *at) { return trimmed(at, strlen(at)); }
 
-/* Names may hold blanks and '#' ("Material #25"), or a comment may follow: whole names are asked for first. */
+/* Names may contain blanks and '#' ("Material #25"), or a comment may follow: the whole name is looked up first. */
 static kit_key without_comment(kit_key name)
 {
     for (size_t i = 1; i < name.length; ++i)
@@ -140,7 +141,7 @@ static int read_material_line(obj *o, char *line)
     return 0;
 }
 
-/* -1: it is not there; what it would name stays grey. */
+/* Reads a file in the OBJ's folder. -1: it is missing; its materials stay grey. */
 static int read_beside(char path[4096], char **text, const obj *o, kit_key name)
 {
     const char *const slash = strrchr(o->from.path, '/');
@@ -213,11 +214,11 @@ static double ahead(const corner *a, const corner *b, const corner *c)
 
 static int same(const corner *a, const corner *b) { return a->flat[0] == b->flat[0] && a->flat[1] == b->flat[1]; }
 
-/* Turns the polygon counter-clockwise in a plane; says whether it is strictly convex. */
+/* Projects the polygon counter-clockwise into a plane; returns whether it is strictly convex. */
 static int flatten(corner *c, int count)
 {
     double n[3] = { 0 }, turned = 0;
-    for (int k = 0; k < count; ++k)        /* Newell's normal, about corner 0 to keep the digits */
+    for (int k = 0; k < count; ++k)        /* Newell's normal, relative to corner 0 for precision */
         for (int i = 0; i < 3; ++i) {
             const float *o = c[0].position, *p = c[k].position, *q = c[(k + 1) % count].position;
             const int u = (i + 1) % 3, v = (i + 2) % 3;
@@ -235,7 +236,7 @@ static int flatten(corner *c, int count)
         if (!(turn(p, q, r) > 0)) return 0;
         turned += atan2(turn(p, q, r), ahead(p, q, r));
     }
-    return turned < 7;                     /* once around is 2 pi; a star polygon turns more often */
+    return turned < 7;                     /* one turn is 2 pi; a star polygon turns more than once */
 }
 
 static int is_ear(const corner *c, int a, int b, int d)
@@ -250,7 +251,7 @@ static int is_ear(const corner *c, int a, int b, int d)
     return 1;
 }
 
-/* Where no ear is left, as where the polygon crosses itself, it is cut anywhere. */
+/* If no ear is left, for example if the polygon crosses itself, it is cut anywhere. */
 static int add_polygon(obj *o)
 {
     corner *c = o->corners.data;
@@ -267,21 +268,21 @@ static int add_polygon(obj *o)
         }
         failed = add_triangle(o, &c[a], &c[b], &c[d]);
         c[a].next = d;
-        a = d;                             /* moving on avoids fans of slivers */
+        a = d;                             /* continuing at the next corner avoids fans of slivers */
         tries = 0;
         --count;
     }
     return failed;
 }
 
-/* "7", "-1": from the end when negative; out: counted from 0. */
+/* Reads "7", or "-1", which counts from the end; out: counted from 0. */
 static int element(const obj *o, char **at, size_t seen, size_t all, const char *what, size_t *out)
 {
     char *end;
     const long v = strtol(*at, &end, 10);
     if (end == *at || (*end && !is_blank(*end) && *end != '/' && *end != '#'))
         return wrong(o, "a face needs corners such as 1, 1/2, 1//3 or 1/2/3", *at);
-    const size_t back = 0 - (size_t)v;     /* of the least long, too, which -v is not of */
+    const size_t back = 0 - (size_t)v;     /* also correct for LONG_MIN, unlike -v */
     if (v == 0 || (v < 0 ? back > seen : (size_t)v > all))
         return kit_fail(o->from.err, "%s line %d: there is no %s %ld (%zu %s)", o->from.path, o->from.line, what, v,
                         v < 0 ? seen : all, v < 0 ? "before this line" : "in the file");
@@ -314,7 +315,7 @@ static int face(obj *o, char *at, size_t vertices, size_t normals)
 
 /* ---- >>all ------------------------------------------------------------------------------------------------------- */
 
-/* What faces refer to, which may come after them. */
+/* Reads vertices and normals first, because they may come after the faces that use them. */
 static int read_vertices(obj *o)
 {
     char *at;
@@ -337,7 +338,7 @@ static int read_vertices(obj *o)
     return 0;
 }
 
-/* Of the vertices that faces name. */
+/* The bounds of the vertices that faces use. */
 static void bounds_of_faces(const obj *o, float lower[3], float upper[3])
 {
     const long all = (long)(o->soup.vertices.count / 3);
@@ -361,7 +362,7 @@ static void bounds_of_faces(const obj *o, float lower[3], float upper[3])
     }
 }
 
-/* Vertices that lie far from 0 are read again, in double, about their middle. */
+/* If vertices are far from 0, reads them again, in double, about their middle. */
 static int move_origin(obj *o)
 {
     float lower[3], upper[3];
@@ -415,7 +416,7 @@ static void obj_free(obj *o)
     free(o->corners.data);
 }
 
-/* All lines but for vertices as they are; and MTL files, which lie beside the OBJ. */
+/* All lines with only the vertices changed; and MTL files by their full paths, because they are in the OBJ's folder. */
 static char *text_of(const obj *o, size_t room)
 {
     const char *const slash = strrchr(o->from.path, '/');
@@ -436,7 +437,7 @@ static char *text_of(const obj *o, size_t room)
 
 char *kit_obj_moved(double origin[3], const char *path)
 {
-    enum { NUMBERS = 64 }; /* bytes, of three */
+    enum { NUMBERS = 64 }; /* bytes for three numbers */
 
     obj o = { .from = { path, 0, NULL }, .bare = 1 };
     char *text, *moved = NULL;

@@ -1,8 +1,8 @@
-/* models.c - which format a model has, and who reads it: mesh.c OBJ, Assimp what else it knows, in a process of its
-   own. Declared in kit_models.h.
+/* models.c - finds a model's format and reads it: OBJ by mesh.c, all else by Assimp in a process of its own. Declared
+   in kit_models.h.
 
-   Damaged files may end that process (of PLY files with some bytes changed a third do) or keep it for ever: it is given
-   time and memory by the file's size, and its end is an error like any other. */
+   Damaged files may crash that process (a third of PLY files with some bytes changed do) or never let it end. So its
+   time and memory are limited by the file's size, and its end is an error like any other. */
 #include "kit/kit_models.h"
 #include <errno.h>
 #include <float.h>
@@ -17,7 +17,7 @@
 
 /* ---- >>notes ----------------------------------------------------------------------------------------------------- */
 
-/* Where it is drawn, and by how much doubles are off there. */
+/* Notes the origin about which a model is drawn, and the rounding of doubles there. */
 static void note_origin(char *note, const kit_mesh *mesh)
 {
     const double *at = mesh->origin, away = fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
@@ -31,7 +31,7 @@ static void note_origin(char *note, const kit_mesh *mesh)
 
 /* ---- >>formats --------------------------------------------------------------------------------------------------- */
 
-/* A format by what its files begin with, or, where that says nothing, by their ending. */
+/* A format, by the first bytes of its files or, if these decide nothing, by their ending. */
 typedef struct kind {
     const char *name, *start, *ending;
 } kind;
@@ -53,7 +53,7 @@ static const kind formats[] = {
     { "USD", NULL, ".usd" },
     { "USDZ", NULL, ".usdz" },
     { "Alembic", "Ogawa", ".abc" },
-    /* what may hold a format, or is none: told where no ending says more */
+    /* containers and files that are not models: used if no ending says more */
     { "a ZIP file", "PK\3\4", NULL },
     { "a gzip file", "\037\213", NULL },
     { "a PNG picture", "\211PNG", NULL },
@@ -74,7 +74,7 @@ static const char *ending_of(const char *path)
     return dot ? dot : "";
 }
 
-/* NULL: nothing speaks against an OBJ. */
+/* The name of a format; NULL: it may be an OBJ. */
 static const char *format_of(const char *path, const char *bytes, size_t size)
 {
     const char *ending = ending_of(path);
@@ -95,8 +95,7 @@ static const char *format_of(const char *path, const char *bytes, size_t size)
 
 /* ---- >>glTF ------------------------------------------------------------------------------------------------------ */
 
-/* Extensions of glTF without which a file may not be read, and that are read or change nothing here. Of textures: their
-   colours are left out. */
+/* glTF extensions that a file may require and that are read, or change nothing here. Textures only give colours. */
 static const char *const harmless[] = { "KHR_draco_mesh_compression",
                                         "KHR_texture_transform",
                                         "KHR_lights_punctual",
@@ -116,7 +115,7 @@ static int is_of(const char *name, size_t length, const char *const *list, size_
 
 #define IS_OF(name, length, list) is_of(name, length, list, sizeof(list) / sizeof *(list))
 
-/* Assimp passes over what it does not know. */
+/* Needed because Assimp ignores extensions that it does not know. */
 static int check_extensions(char *note, const char *path, const char *json, kit_error *err)
 {
     const char *at = strstr(json, "\"extensionsRequired\""), *end = at ? strchr(at, ']') : NULL;
@@ -147,7 +146,7 @@ static int check_gltf(char *note, const char *path, kit_error *err)
 
 /* ---- >>another process ------------------------------------------------------------------------------------------- */
 
-/* What comes back: this, then the arrays of the mesh and the objects. */
+/* The other process's answer: this, then the arrays of the mesh and the objects. */
 typedef struct answer {
     int failed, objects;
     size_t triangles;
@@ -169,7 +168,7 @@ static int send_all(int to, const void *data, size_t size)
     return 0;
 }
 
-/* What a file says may hold anything. */
+/* Text of a file may contain anything. */
 static void one_line(char *text)
 {
     for (char *c = text; *c; ++c)
@@ -188,7 +187,7 @@ static int take_all(int from, void *data, size_t size)
     return 0;
 }
 
-/* The other process; it ends here. */
+/* The code of the other process; it does not return. */
 static void read_apart(int to, size_t size, const char *note, const char *path, const char *format)
 {
     static answer a;
@@ -214,7 +213,7 @@ static void read_apart(int to, size_t size, const char *note, const char *path, 
           || send_all(to, object, (size_t)a.objects * sizeof *object));
 }
 
-/* 1: the answer is whole; else the other process has ended too early, or there is no memory. */
+/* 1: the answer is complete; else the other process ended too early, or there is no memory. */
 static int take_answer(answer *a, kit_mesh *mesh, kit_object **object, int from)
 {
     *mesh = (kit_mesh){ 0 };
@@ -242,7 +241,7 @@ static int take_answer(answer *a, kit_mesh *mesh, kit_object **object, int from)
 static int ended(int status, const char *path, const char *format, kit_error *err)
 {
     if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
-        return kit_fail(err, "%s: is %s that Assimp %s has no end with, or no memory for", path, format,
+        return kit_fail(err, "%s: is %s that Assimp %s does not finish, or has no memory for", path, format,
                         kit_assimp_version());
     return kit_fail(err, "%s: is %s that Assimp %s fails on: it may be damaged", path, format, kit_assimp_version());
 }
@@ -279,7 +278,7 @@ static int assimp_read(kit_mesh *mesh, kit_object **object, int *objects, char *
 
 /* ---- >>OBJ ------------------------------------------------------------------------------------------------------- */
 
-/* Whatever is nothing else. */
+/* Reads a file of no other format as OBJ. */
 static int obj_read(kit_mesh *mesh, kit_object **object, int *objects, const char *path, kit_error *err)
 {
     kit_error why;

@@ -1,12 +1,12 @@
-/* parts.c - what scenes drawn from a seed are built of, beside shapes.c: noise, tubes, cushions, leaves, ground.
-   Declared in kit_build.h. */
+/* parts.c - shapes for scenes by seed, in addition to shapes.c: noise, tubes, cushions, leaves, ground. Declared in
+   kit_build.h. */
 #include "kit/kit_build.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- >>noise --------------------------------------------------------------------------------------------------- */
 
-/* of a lattice point, [-1, 1) */
+/* a hash of a lattice point, [-1, 1) */
 static double lattice(unsigned seed, int x, int y, int z)
 {
     uint32_t h = seed * 0x9e3779b9u ^ (uint32_t)x * 0x85ebca6bu ^ (uint32_t)y * 0xc2b2ae35u ^ (uint32_t)z * 0x27d4eb2fu;
@@ -45,7 +45,7 @@ double kit_fractal(unsigned seed, double x, double y, double z, int octaves)
 
 enum { TUBE_POINTS = 256 };
 
-/* a unit vector across */
+/* a unit vector perpendicular to way */
 static void across(const double way[3], double out[3])
 {
     const double up[3] = { fabs(way[1]) < 0.9 ? 0 : 1, fabs(way[1]) < 0.9 ? 1 : 0, 0 };
@@ -64,7 +64,7 @@ static void ring_point(kit_vertex *v, const double c[3], const double side[3], c
     }
 }
 
-/* a tube's end: a disc that looks along way */
+/* a tube's end: a disc that faces way */
 static void cap(kit_build *b, const double c[3], const double side[3], const double up[3], const double way[3],
                 double radius, int around)
 {
@@ -127,7 +127,7 @@ void kit_cable(kit_build *b, const double from[3], const double to[3], double sa
 
 /* ---- >>solids -------------------------------------------------------------------------------------------------- */
 
-/* half sides, round */
+/* shape: half sides, round */
 static void cushion_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, power = fmax(0.12, s[3]), a = 2 * KIT_PI * fmod(u, 1), t = KIT_PI * (fmin(v, 1) - 0.5);
@@ -187,7 +187,7 @@ void kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, doub
                 face[k][v] = cv[at] ? high[v] - bevel : low[v] + bevel;
             }
             kit_quad(b, (const double(*)[3])face);
-            for (int other = 0; other < 2; other++) { /* the edges to the faces of the next axis */
+            for (int other = 0; other < 2; other++) { /* the bevels to the faces of the next axis */
                 const double a = side ? high[axis] : low[axis], in_a = side ? a - bevel : a + bevel,
                              o = other ? high[u] : low[u], in_o = other ? o - bevel : o + bevel;
                 const int flip = side == other;

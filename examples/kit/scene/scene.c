@@ -1,5 +1,5 @@
-/* scene.c - scenes by name, or from a model's file with a camera that frames it; placing and moving objects. Declared
-   in kit.h. */
+/* scene.c - loads scenes by name, or a model's file with a camera that frames it; places and moves objects. Declared in
+   kit.h. */
 #include "kit/kit_build.h"
 #include "kit/kit_models.h"
 #include <math.h>
@@ -16,7 +16,7 @@ const char *kit_scene_builtin(int i, const char **about)
     return b ? b->name : NULL;
 }
 
-/* what goes on building a scene; failing leaves its triangles and objects as they were, with more after them perhaps */
+/* continues a scene; after a failure its triangles and objects are unchanged, perhaps with more after them */
 static kit_build resume(const kit_scene *scene)
 {
     kit_build b;
@@ -26,7 +26,7 @@ static kit_build resume(const kit_scene *scene)
     return b;
 }
 
-/* from the front, above and to the right, as near as has all corners of the bounds in view */
+/* from the front, above and to the right, as near as possible with all corners of the bounds in view */
 static void frame_bounds(kit_camera *camera, const kit_mesh *mesh)
 {
     double back[3] = { 0.45, 0.35, 1 }, up[3] = { 0, 1, 0 }, right[3], centre[3], distance = 0;
@@ -62,7 +62,7 @@ static void list_names(char *names, size_t size)
 static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *err)
 {
     int failed = 0;
-    if (access(path, R_OK)) {              /* opening a pipe would wait for who writes it */
+    if (access(path, R_OK)) {              /* opening a pipe would wait for its writer */
         char names[sizeof err->text] = "";
         list_names(names, sizeof names);
         return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s, random:SEED, "

@@ -1,5 +1,5 @@
-/* seeds.c - scenes drawn from a seed: their names and kinds, and what befalls any of them: units, wrong winding, light.
-   Declared in kit_build.h. */
+/* seeds.c - scenes drawn from a seed: names and kinds, and the variations that all of them have: units, wrong winding,
+   light. Declared in kit_build.h. */
 #include "kit/kit_seed.h"
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +8,7 @@
 
 enum { WORD = 96 };
 
-/* A scene of rows; a model of the catalogue on a floor. */
+/* A scene built from rows; a model of the catalogue on a floor. */
 enum { RANDOM, MODELS, PREFIXES };
 
 static const char *const prefixes[PREFIXES] = { "random:", "model:" };
@@ -37,7 +37,7 @@ const char *kit_scene_kind(int i, const char **about)
     return kinds[i].name;
 }
 
-/* Which prefix a name has; -1: none. */
+/* The prefix of a name; -1: none. */
 static int prefix_of(const char *name)
 {
     for (int k = 0; k < PREFIXES; k++)
@@ -47,8 +47,8 @@ static int prefix_of(const char *name)
 
 int kit_scene_seeded(const char *name) { return prefix_of(name) >= 0; }
 
-/* "random:7", "random:streets:7", "model:chair", "model:scopia/chair:7": what stands before the seed is written to
-   word; a seed that is not there is 0. */
+/* "random:7", "random:streets:7", "model:chair", "model:scopia/chair:7": word gets the part before the seed, without
+   the prefix; a missing seed is 0. */
 static int parse(int64_t *seed, char word[WORD], const char *name, kit_error *err)
 {
     const char *const rest = name + strlen(prefixes[prefix_of(name)]), *const colon = strrchr(rest, ':'),
@@ -64,7 +64,7 @@ static int parse(int64_t *seed, char word[WORD], const char *name, kit_error *er
     return 0;
 }
 
-/* Which kind a word is; of none, that of the seed. */
+/* The kind that a word names; without a word, the seed's. */
 static int kind_of(const char *word, int64_t seed, const char *name, kit_error *err)
 {
     char names[256] = "";
@@ -76,9 +76,9 @@ static int kind_of(const char *word, int64_t seed, const char *name, kit_error *
     return kit_fail(err, "scene '%s': '%s' is no kind (%s)", name, word, names);
 }
 
-/* ---- >>what assets bring --------------------------------------------------------------------------------------- */
+/* ---- >>faults of real models ----------------------------------------------------------------------------------- */
 
-/* Swaps two corners of triangle t; faces: its normals turn with it. */
+/* Swaps two corners of triangle t; faces: also negates its normals. */
 static void invert(kit_mesh *m, size_t t, int faces)
 {
     float *const of[2] = { m->position + 9 * t, m->normal + 9 * t };
@@ -91,7 +91,7 @@ static void invert(kit_mesh *m, size_t t, int faces)
     for (int i = 0; i < 9 && faces; i++) of[1][i] = -of[1][i];
 }
 
-/* Every third scene has objects whose winding is wrong, with their normals or without. */
+/* Gives some objects of every third scene a wrong winding, with or without wrong normals. */
 static void wrong_winding(kit_build *b)
 {
     kit_scene *s = &b->scene;
@@ -107,7 +107,7 @@ static void wrong_winding(kit_build *b)
     free(way);
 }
 
-/* Metres, or what else people model in. */
+/* A scene's unit: metres, or another unit that people use. */
 static double draw_unit(kit_build *b)
 {
     static const double units[] = { 1, 1, 1, 1, 1, 100, 100, 39.370079, 0.01, 0.1 };

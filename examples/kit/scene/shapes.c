@@ -1,4 +1,4 @@
-/* shapes.c - what scenes are built of: triangles, boxes, curved patches, objects and their places. Declared in
+/* shapes.c - basic shapes of scenes: triangles, boxes, curved patches; objects and their places. Declared in
    kit_build.h. */
 #include "kit/kit_build.h"
 #include <math.h>
@@ -61,7 +61,7 @@ void kit_rotate(const kit_build *b, const double in[3], double out[3])
     out[2] = -s * in[0] + c * z;
 }
 
-/* a point, or a direction, of the frame in the world */
+/* transforms a point, or a direction, from the frame to the world */
 static void out_of_frame(const kit_frame *f, double v[3], int point)
 {
     const double in[3] = { v[0], v[1], v[2] };
@@ -263,7 +263,7 @@ void kit_mesh_bounds(kit_mesh *mesh)
         }
 }
 
-/* where object k's triangle after t is, in the scene's mesh; from t = o->first - 1 */
+/* the index in the scene's mesh of object k's triangle after t; begin with t = o->first - 1 */
 static size_t next_triangle(const kit_scene *s, int k, size_t t)
 {
     while (s->mesh.object[++t] != (uint32_t)k + 1) {}
@@ -293,7 +293,7 @@ void kit_set_place(kit_scene *s, int k, const float m[16])
     memcpy(o->to_world, m, sizeof o->to_world);
 }
 
-/* Makes object k's triangles, so many, a shape of its own. */
+/* Makes the `triangles` triangles of object k a shape of its own. */
 static int own_shape(kit_scene *s, int k, size_t triangles)
 {
     static const float identity[16] = { 1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1 };
@@ -328,7 +328,7 @@ int kit_own_shape(kit_scene *s, int k)
     return own_shape(s, k, triangles);
 }
 
-/* The same of all objects from first on that have none: their triangles are counted at once. */
+/* The same for all objects from first on without a shape: counts their triangles in one pass. */
 static int own_shapes(kit_scene *s, int first)
 {
     size_t *triangles = calloc((size_t)s->objects + 1, sizeof *triangles);
@@ -347,7 +347,7 @@ static int holds(const kit_object *a, const kit_object *b)
     return 1;
 }
 
-/* most of the others are within its bounds */
+/* whether most other objects are within its bounds */
 static int holds_most(const kit_scene *s, int k)
 {
     int held = 0;
@@ -355,7 +355,7 @@ static int holds_most(const kit_scene *s, int k)
     return 2 * held > s->objects - 1;
 }
 
-/* whether object k casts, by kit_scene_load's rule, and whether what holds it still does */
+/* decides whether object k casts, by kit_scene_load's rule, and whether objects around it still do */
 static void judge(kit_scene *s, int k)
 {
     kit_object *o = &s->object[k];

@@ -27,7 +27,7 @@ void kit_build_cornell(kit_build *b)
 
 void kit_build_columns(kit_build *b)
 {
-    /* none behind the last */
+    /* the last hides none */
     static const double hidden[4][3] = { {0.88, 0.16, 0.48}, {0.10, 0.24, 0.85}, {0.88, 0.70, 0.06}, {0, 0, 0} };
     const double gap = 0.00002;
     kit_colour(b, 0.60, 0.60, 0.60);
@@ -45,7 +45,7 @@ void kit_build_columns(kit_build *b)
     kit_place_at(b, 0, gap, 0, 0);
     /* a panel seen edge-on */
     kit_colour(b, 0.10, 0.60, 0.16); kit_box(b, -0.03, 0, -1.2, 0.03, 1.1, 0.2);
-    /* right of the picture */
+    /* outside the picture, to the right */
     kit_colour(b, 0.88, 0.24, 0.04); kit_place_at(b, 4.08, gap, -0.63, -28);
     kit_box(b, -0.32, 0, -0.32, 0.32, 1.4, 0.32);
 }
@@ -79,7 +79,7 @@ void kit_build_pebbles(kit_build *b)
     static const double tables[2][6] = { {-0.25, -0.2, 24, 0.24, 0.15, 0.30}, {0.48, 0.22, -31, 0.11, 0.11, 0.17} };
     const double gap = 0.0005, cell = 0.1, leg = 0.007;
     kit_colour(b, 0.60, 0.58, 0.55); kit_box(b, -1.8, -0.1, -1.8, 1.8, 0, 1.8);
-    for (int i = 0; i < 24 * 24; i++) {                                  /* one to a cell, and within it */
+    for (int i = 0; i < 24 * 24; i++) {                                  /* one in each cell */
         double x = cell * (i % 24 - 11.5), z = cell * (i / 24 - 11.5), size = kit_between(b, 0.01, 0.032),
                kind = kit_chance(b), tone = kit_between(b, 0.50, 0.72);
         double height = size * kit_between(b, 0.3, 1.5), slack = cell / 2 - 1.42 * size, turn = kit_between(b, 0, 360);
@@ -122,7 +122,7 @@ void kit_build_boxes(kit_build *b)
 
 void kit_build_spheres(kit_build *b)
 {
-    /* x, z, radius, how far above the floor */
+    /* x, z, radius, height above the floor */
     static const double ball[][4] = { {-2.1, -0.6, 1, 0.001}, {-0.45, -1.7, 0.9, 0.001}, {0.95, -0.5, 0.8, 0.05},
                                       {2.3, 0.3, 0.7, 0.001}, {-0.35, 0.5, 0.6, 0.001}, {0.45, 1.45, 0.5, 0.001},
                                       {-1.35, 1.35, 0.5, 0.12} };
@@ -151,7 +151,7 @@ void kit_build_blocks(kit_build *b)
     }
 }
 
-/* ---- >>occluders: a few shapes of size 1, many times over ------------------------------------------------------- */
+/* ---- >>occluders: a few shapes of size 1, each used many times -------------------------------------------------- */
 
 static void make_cube(kit_build *b) { kit_box(b, -0.5, -0.5, -0.5, 0.5, 0.5, 0.5); }
 
@@ -190,7 +190,7 @@ static const struct { const char *name; void (*make)(kit_build *); double albedo
                    { "cone", make_cone, { 0.72, 0.62, 0.30 } },
                    { "table", make_table, { 0.48, 0.58, 0.42 } } };
 
-/* An object of a kind, resting on the level y: the ground at 0, else on the object before or its stack. */
+/* An object of a kind that rests on the level y: on the ground if y is 0, else on the object before or its stack. */
 static void occluder(kit_build *b, int kind, double size, double x, double y, double z, double turn, double tilt)
 {
     kit_scene *s = &b->scene;

@@ -1,4 +1,4 @@
-/* texture.c - pictures on models: their mean colour, and whether they cut. Declared in kit_models.h. */
+/* texture.c - textures of models: their mean colour, and whether their alpha cuts holes. Declared in kit_models.h. */
 #include "kit/kit_models.h"
 #include <limits.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-/* thin.c - built-in scenes of what is thin: grass, a veranda. Declared in kit_build.h. */
+/* thin.c - built-in scenes of thin things: grass, a veranda. Declared in kit_build.h. */
 #include "kit/kit_build.h"
 #include <math.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static void ground_surface(const void *shape, double u, double v, kit_vertex *ou
     kit_unit(out->n);
 }
 
-/* a blade of length, width, bent by bend radians in all from a start lean, in the plane of z and y */
+/* a blade of length and width in the plane of z and y, bent from a start lean by bend radians in all */
 static void blade_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, length = s[0], bend = s[2] + 1e-3, lean = s[3], a = lean + bend * v;
@@ -32,7 +32,7 @@ static void blade_surface(const void *shape, double u, double v, kit_vertex *out
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = cos(a);
 }
 
-/* how far the stone's skin is from p, in units of the direction's radius: 0 on it */
+/* distance of the stone's surface from p, in units of the direction's radius: 0 on it */
 static double stone(const double *seed, const double p[3])
 {
     double q[3] = { p[0] / 1.2, p[1] / 0.75, p[2] };
@@ -48,7 +48,7 @@ static void stone_surface(const void *shape, double u, double v, kit_vertex *out
     kit_vertex s;
     kit_sphere_surface(seed, u, v, &s);
     for (int i = 0; i < 3; i++) d[i] = s.n[i] * (i == 0 ? 1.2 : i == 1 ? 0.75 : 1);
-    /* the skin is at d * k: stone() is affine along d */
+    /* the surface is at d * k: stone() is affine along d */
     k = 1 - stone(seed, d);
     for (int i = 0; i < 3; i++) {
         double a[3] = { d[0] * k, d[1] * k, d[2] * k }, c[3];
@@ -76,7 +76,7 @@ void kit_build_grass(kit_build *b)
         kit_place_at(b, s[0], ground(s[0], s[1], &dx, &dz) + 0.3 * s[2], s[1], 70 * i);
         kit_patch(b, 96, 48, stone_surface, shape);
     }
-    /* as many to each ring of distances: even on the picture */
+    /* equally many in each ring of distances: even density in the picture */
     for (int i = 0; i < 20000; i++) {
         double distance = 0.9 * pow(18, kit_chance(b)), angle = kit_between(b, -0.85, 0.85), x = distance * sin(angle),
                z = 3 - distance * cos(angle);
@@ -95,9 +95,9 @@ void kit_build_grass(kit_build *b)
     }
 }
 
-/* ---- >>slats: a veranda of things that are thin, most of them with light behind ------------------------------- */
+/* ---- >>slats: a veranda of thin things, most of them lit from behind -------------------------------------------- */
 
-/* hanging from its top edge, s[0] to either side, s[1] long, in s[2] folds of uneven depth, deeper and wider below */
+/* hangs from its top edge: s[0] half width, s[1] length, s[2] folds of uneven depth, deeper and wider below */
 static void curtain_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, folds = 2 * KIT_PI * s[2], a = folds * u + 0.9 * sin(2 * KIT_PI * u + s[3]);
@@ -109,7 +109,7 @@ static void curtain_surface(const void *shape, double u, double v, kit_vertex *o
     kit_unit(out->n);
 }
 
-/* an open half pipe along x: half its length, radius */
+/* an open half pipe along x: half length, radius */
 static void gutter_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, a = KIT_PI * v;
@@ -117,7 +117,7 @@ static void gutter_surface(const void *shape, double u, double v, kit_vertex *ou
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = -cos(a);
 }
 
-/* Round links from one point to another, sagging by as much in the middle. */
+/* Round links from one point to another, which sag by sag in the middle. */
 static void chain(kit_build *b, const double from[3], const double to[3], double sag, const double link[2])
 {
     const double way[2] = { to[0] - from[0], to[2] - from[2] }, run = hypot(way[0], way[1]);
@@ -147,7 +147,7 @@ static void slats(kit_build *b, const double at[3], double turn, double tilt, do
 static void veranda(kit_build *b)
 {
     static const double inner[4][3] = { {-4,0,-0.9}, {4,0,-0.9}, {4,3,-0.9}, {-4,3,-0.9} };
-    kit_colour(b, 0.50, 0.40, 0.30);                                     /* decking over gravel: gaps of a pixel */
+    kit_colour(b, 0.50, 0.40, 0.30);                                     /* decking over gravel, with gaps of a pixel */
     for (int i = 0; i < 58; i++) kit_box(b, -4 + 0.14 * i, -0.028, 0, -3.868 + 0.14 * i, 0, 5.4);
     kit_colour(b, 0.35, 0.34, 0.32); kit_level(b, -4, 0, 4.12, 5.4, -0.2);
     kit_colour(b, 0.74, 0.71, 0.64);                                     /* the wall: window, door, a room behind */
@@ -234,7 +234,7 @@ static void bench(kit_build *b)
     }
 }
 
-/* What is solid. */
+/* The solid things. */
 static void planter_and_ball(kit_build *b)
 {
     static const double ball = 0.17;

@@ -5,8 +5,8 @@
 
 /* ---- cameras ------------------------------------------------------------------------------------------------ */
 
-/* Rows of the rotation: right, up, backward. An up along the line of sight is replaced by the axis farthest from it, an
-   eye on the target looks along -z. */
+/* Rows of the rotation: right, up, backward. An up along the line of sight is replaced by the axis farthest from it; an
+   eye at the target looks along -z. */
 void kit_camera_axes(const kit_camera *camera, double axes[3][3])
 {
     double *right = axes[0], *up = axes[1], *back = axes[2], wish[3];
@@ -48,8 +48,8 @@ void kit_camera_view_ray(const kit_camera *camera, int x, int y, double o[3], do
     d[2] = -1;
 }
 
-/* The near plane lies a little before the bounds, but at a thousandth of the far plane at least: window depth must stay
-   usable. Orthographic depth is even, and a far eye must not widen its range. */
+/* The near plane is a little before the bounds, but at least at a thousandth of the far plane, so that window depth
+   stays precise. Orthographic depth is uniform, so a far eye must not widen its range. */
 void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
 {
     double axes[3][3], nearest = 1e300, farthest = 0;
@@ -63,7 +63,7 @@ void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
         nearest = fmin(nearest, depth);
         farthest = fmax(farthest, depth);
     }
-    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing before the camera */
+    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing is in front of the camera */
     if (flat) {
         const double spare = 0.01 * (farthest - fmin(fmax(nearest, 0), 0.9 * farthest));
         if (!(camera->zfar > 0)) camera->zfar = (float)(fmax(farthest, (double)camera->znear) + spare);
@@ -152,7 +152,7 @@ void kit_camera_from_header(kit_camera *camera, const kit_header *header)
         for (int i = 0; i < 3; ++i) {
             eye[i] = 0;
             for (int k = 0; k < 3; ++k) eye[i] -= (double)m[4 * i + k] * (double)m[12 + k];
-            far = fmax(far, fabs(eye[i]));         /* a target so near as 1 would lie anywhere, by rounding */
+            far = fmax(far, fabs(eye[i]));         /* rounding would displace a target at 1 */
         }
         for (int i = 0; i < 3; ++i) {
             camera->eye[i] = (float)eye[i];

@@ -1,4 +1,5 @@
-/* lit.c - ray-traced light: of an environment, of lamps, of one bounce; one specular bounce. Declared in kit.h. */
+/* lit.c - ray-traced light of an environment and of lights, and of one bounce; one specular bounce. Declared in
+   kit.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
@@ -6,8 +7,8 @@
 
 /* ---- >>chance ---------------------------------------------------------------------------------------------------- */
 
-/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if there is none), and
-   returns their mean. */
+/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if all weights are 0),
+   and returns their mean. */
 double kit_accumulate(float *cdf, int n)
 {
     double total = 0, sum = 0;
@@ -33,8 +34,8 @@ double kit_pick(const float *cdf, int n, float u)        /* where the running su
 
 /* ---- >>environment ----------------------------------------------------------------------------------------------- */
 
-/* A texel that outshines the rest: bilinear look-ups make it a hat over the texels around, and the rest of the map is
-   what it would be with this texel black. */
+/* A lamp: a texel much brighter than the rest. Bilinear interpolation makes it a hat over the texels around; the rest
+   of the map is as if this texel were black. */
 typedef struct lamp { int x, y; float rgb[3]; } lamp;
 
 enum { MOST_LAMPS = 512 };
@@ -48,8 +49,8 @@ static double luminance_of(const kit_image *env, size_t i)
            + 0.0722 * (double)env->data[2 * texels + i];
 }
 
-/* Takes the lamps, MOST_LAMPS of the brightest, out of the environment: each gets a ray from every place, so that what
-   they bring is noisy only where they are half hidden. The rows at the poles have none: there hats are wider. */
+/* Takes the lamps, at most the MOST_LAMPS brightest, out of the environment. Each gets a ray from every place, so that
+   its light is noisy only if the lamp is half hidden. Rows at the poles have no lamps: hats are wider there. */
 static int lamps_begin(kit_truth *job, kit_image *rest, kit_error *err)
 {
     const kit_image *env = &job->lighting->env;
@@ -86,9 +87,9 @@ static int lamps_begin(kit_truth *job, kit_image *rest, kit_error *err)
     return 0;
 }
 
-/* Directions are picked by cells of a texel or of a part of one: by the mean luminance that bilinear look-ups find in
-   it (the midpoint of a part tells exactly, those of a texel's quarters as well), times its solid angle. Small cells
-   follow a light of a few texels, within which radiance varies as much as over the sphere. */
+/* Directions are drawn by cells, each a texel or a part of one, by the mean luminance of bilinear look-ups in it times
+   its solid angle. (For a part, its midpoint gives that mean exactly; for a texel, the midpoints of its quarters do.)
+   Small cells follow a light of a few texels, within which radiance varies as much as over the sphere. */
 enum { ENV_CELLS = 1 << 21, ENV_PARTS = 4 };
 
 static void env_build_row(void *context, int y)
@@ -111,7 +112,7 @@ static void env_build_row(void *context, int y)
     job->env_row[y + 1] = (float)(kit_accumulate(column, cells[0]) * sin(KIT_PI * (y + 0.5) / cells[1]));
 }
 
-/* Running sums: over the rows of cells of the environment, and along each of them. A black one is none. */
+/* Makes running sums over the rows of cells of the environment, and along each row. A black one counts as none. */
 static int env_begin(kit_truth *job, kit_error *err)
 {
     const kit_image *env = job->env;
@@ -141,7 +142,7 @@ static void env_direction(const kit_truth *job, const float at[2], float d[3])
     kit_env_direction(env, kit_pick(column, cells[0], at[0]) / parts, y / parts, d);
 }
 
-static double env_density(const kit_truth *job, const float d[3])       /* of env_direction, per unit of solid angle */
+static double env_density(const kit_truth *job, const float d[3])       /* probability density of env_direction */
 {
     const kit_image *env = job->env;
     const int *cells = job->env_cells, parts = cells[0] / env->width;
@@ -158,7 +159,7 @@ static double env_density(const kit_truth *job, const float d[3])       /* of en
 
 static double hat(float u) { return u < 0.5f ? sqrt(2 * (double)u) - 1 : 1 - sqrt(2 - 2 * (double)u); }
 
-/* What the lamps bring, a ray to each, by chance within its hat. */
+/* Adds the light of the lamps: one ray to each, at random within its hat. */
 static void add_lamps(const kit_truth *job, const kit_place *at, uint32_t seed, double sum[3])
 {
     const double texel = 2 * KIT_PI / job->env->width * KIT_PI / job->env->height;
@@ -175,9 +176,9 @@ static void add_lamps(const kit_truth *job, const kit_place *at, uint32_t seed, 
     }
 }
 
-/* One direction's share of the environment's irradiance over pi, where strategies cosine and env take rays[0] and
-   rays[1] of them: multiple importance sampling with the balance heuristic [Veach and Guibas 1995], so that it does not
-   matter whose direction it is. */
+/* Adds one direction's contribution to the environment's irradiance over pi. The strategies cosine and env have rays[0]
+   and rays[1] rays: multiple importance sampling with the balance heuristic [Veach and Guibas 1995], so it does not
+   matter which one drew the direction. */
 static void add_env(const kit_truth *job, const float n[3], const float d[3], double visible, const int rays[2],
                     double sum[3])
 {
@@ -197,14 +198,14 @@ static void add_light(const kit_truth *job, const kit_place *at, const kit_light
     const double length = sqrt(kit_facing(to, to)),
                  weight = kit_facing(at->n, to) / length / KIT_PI / (sun ? 1 : length * length);
     if (!(weight > 0) || !isfinite(weight)) return;
-    /* what holds the light does not shadow it */
+    /* a surface around the light does not shadow it */
     const float all = sun ? INFINITY : 0.99999f, reach = job->lighting->reach;
     if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, reach > 0 ? fminf(all, reach / (float)length) : all))
         return;
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)light->colour[c];
 }
 
-/* What the hit of ray number r sends back, weighted */
+/* Adds the light that the hit of ray number r sends back, weighted. */
 static void add_sent(const kit_truth *job, const ssgi_hit *hit, const float d[3], uint32_t r, uint32_t seed,
                      double weight, int rays, double sum[3])
 {
@@ -213,7 +214,7 @@ static void add_sent(const kit_truth *job, const ssgi_hit *hit, const float d[3]
     double light[3] = { 0 };
     kit_place next;
     kit_place_of(job->mesh, hit, d, &next);
-    /* shuffled: hits and directions from there stay independent */
+    /* shuffled, so that hits and directions from there stay independent */
     kit_gather(job, &next, hit_seed, kit_scramble(kit_reverse(r), shuffle) & job->ambient.mask, one, light, NULL);
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)next.albedo[c] * light[c] / rays;
 }
@@ -257,7 +258,7 @@ static void lit_pixel(const kit_truth *job, uint32_t pixel, const kit_place *at,
     }
 }
 
-/* job: pixel and what that needs */
+/* job: set pixel and its inputs */
 static int lit_run(kit_truth *job, kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius,
                    int attenuation, int rays, int stride, kit_error *err)
 {

@@ -1,4 +1,4 @@
-/* scatter.c - multiple scattering under surfaces: the sum over all of a mesh. Declared in kit.h. */
+/* scatter.c - multiple scattering under surfaces: the sum over the whole mesh. Declared in kit.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
@@ -6,15 +6,15 @@
 
 /* ---- under surfaces ------------------------------------------------------------------------------------------- */
 
-enum { REFLECTANCES = 16384 };                  /* the dipole's, by distance, a table of them */
+enum { REFLECTANCES = 16384 };                  /* entries of a table of the dipole's reflectance by distance */
 
 typedef struct scattering {
     kit_truth job;
     float *area;                                /* running sum over the triangles */
-    /* position, irradiance over pi: 4 each; of the lit ones alone when all are made */
+    /* position, irradiance over pi: 4 floats each; once all are made, only lit samples */
     float *sample;
     size_t samples;
-    float  per_unit, table[REFLECTANCES][4];    /* table entries a world unit; times a sample's area; the fourth is 0 */
+    float  per_unit, table[REFLECTANCES][4];    /* entries per world unit; reflectance times a sample's area, and 0 */
 } scattering;
 
 static void scatter_place(void *context, int block)
@@ -50,11 +50,11 @@ static void scatter_pixel(const kit_truth *job, uint32_t pixel, const kit_place 
     (void)pixel;
     for (size_t i = 0; i < s->samples;) {
         float sum[4] = { 0, 0, 0, 0 };
-        /* few at a time: sums of floats */
+        /* few at a time, because float sums lose precision */
         for (const size_t end = i + 256 < s->samples ? i + 256 : s->samples; i < end; ++i) {
             const float *p = s->sample + 8 * i, x = p[0] - at->origin[0], y = p[1] - at->origin[1],
                         z = p[2] - at->origin[2];
-            /* none is farther than the bounds' diagonal */
+            /* no distance exceeds the bounds' diagonal */
             const float d = s->per_unit * sqrtf(x * x + y * y + z * z), t = d - (float)(int)d, *a = s->table[(int)d];
             for (int c = 0; c < 4; ++c) sum[c] += p[4 + c] * (a[c] + t * (a[4 + c] - a[c]));
         }
@@ -104,7 +104,7 @@ static int scatter_begin(scattering *s, size_t samples, const kit_scene *scene, 
     kit_parallel("irradiance", (int)((samples + 1023) >> 10), scatter_place, s);
     free(memory);
     s->samples = 0;
-    for (size_t i = 0; i < samples; ++i) {                     /* dark ones send nothing */
+    for (size_t i = 0; i < samples; ++i) {                     /* dark samples send nothing */
         const float *from = s->sample + 8 * i;
         if (from[4] + from[5] + from[6] > 0) memmove(s->sample + 8 * s->samples++, from, 8 * sizeof *from);
     }

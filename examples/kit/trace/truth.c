@@ -1,4 +1,4 @@
-/* truth.c - ray-traced truth: rays from a point, a picture of them, ambient visibility. Declared in kit.h and
+/* truth.c - ray-traced ground truth: rays from a point, a picture of them, ambient visibility. Declared in kit.h and
    kit_trace.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
@@ -37,7 +37,7 @@ void kit_ambient_point(const kit_ambient *a, uint32_t i, uint32_t seed, float at
     at[1] = (float)(kit_scramble(a->points[i], kit_mix(seed ^ 0x9e3779b9u)) >> 8) * (1.0f / 16777216.0f);
 }
 
-/* from a frame about n [Duff et al. 2017] */
+/* in an orthonormal basis about n [Duff et al. 2017] */
 void kit_around(const float n[3], float x, float y, float z, float d[3])
 {
     const float sign = n[2] < 0 ? -1.0f : 1.0f, k = -1.0f / (sign + n[2]), m = n[0] * n[1] * k;
@@ -124,7 +124,7 @@ void kit_place_of(const kit_mesh *mesh, const ssgi_hit *hit, const float directi
     float p[3], face[3], magnitude = 0;
     double d[3], e[3], f[3], normal[3], shading[3];
     for (int i = 0; i < 3; ++i) {
-        p[i] = w[0] * c[i] + w[1] * c[3 + i] + w[2] * c[6 + i];     /* more exact than origin + t direction */
+        p[i] = w[0] * c[i] + w[1] * c[3 + i] + w[2] * c[6 + i];     /* more precise than origin + t direction */
         shading[i] = (double)(w[0] * cn[i] + w[1] * cn[3 + i] + w[2] * cn[6 + i]);
         d[i] = (double)direction[i];
         e[i] = (double)c[3 + i] - (double)c[i];
@@ -152,9 +152,9 @@ static int truth_primary(const kit_truth *job, int x, int y, kit_place *at)
     kit_camera_axes(&job->camera, axes);
     kit_camera_ray(&job->camera, x, y, origin, direction);
     for (int i = 0; i < 3; ++i) d[i] = (double)direction[i];
-    /* the planes cut as they do in the G-buffer */
+    /* the near and far planes cut as in the G-buffer */
     const double slant = -kit_dot(d, axes[2]);
-    if (!(job->camera.fovy > 0)) {             /* from the near plane on: a far eye would round the ray's place */
+    if (!(job->camera.fovy > 0)) {             /* from the near plane on: a distant eye would round the ray's origin */
         kit_camera_point(&job->camera, x, y, (double)job->camera.znear, origin);
         if (!ssgi_trace_closest(&hit, &job->ambient.trace, origin, direction, 0,
                                 job->camera.zfar - job->camera.znear))

@@ -1,17 +1,11 @@
-/* against.c - two builds of the library beside each other: what every accumulator draws by the one and by the other, on
-   scenes by seed, and what both err by.
+/* against.c - compares two builds of the library: the picture that each method draws with the old build and with
+   the new one, on scenes by seed, and the error of each.
 
-      build/against OLD_RENDER NEW_RENDER [ROW ..]
-      build/against build/old/0123abc/build/render build/render hsao
+   --help lists the arguments. Both builds draw frames that this program saves, so that the library alone differs; rows
+   of the view SCENE draw the scene itself. Truth is traced at one pixel of 11x11, kept in build/cache.
 
-   A name takes the row that has it, else all rows that begin so; none: all. OLD_RENDER and NEW_RENDER are build/render
-   of two checkouts: they draw frames that this program saves, so that only the library is compared; where a row says
-   so, the scenes themselves. The truth is traced at every eleventh pixel both ways and kept under build/cache.
-
-   A row whose pictures mean the same keeps three limits: on the mean over the scenes neither the bias nor the share of
-   the error goes further, and what differs has no shape, unless it is too little to see. Each row is printed; all
-   scenes go to report/against.csv, and of a row that breaks a limit the worst scene's difference to
-   report/against-ROW-QUANTITY.png. Status 0: all rows keep them; 1: some do not; 2: an error. */
+   If a row's pictures mean the same, it keeps three limits on the mean over the scenes: of the bias, of the change of
+   the relative error, and of the correlation of the difference between neighbouring 8x8 blocks. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,17 +16,17 @@
 
 #define REPORT "report"
 
-enum { SCENES = 12 }; /* of seeds that settings may be tuned on, from 0 on */
+enum { SCENES = 12 }; /* seeds 0 to 11, on which settings may be tuned */
 
-/* Of the mean over the scenes. SHARE: plus half of the 95 % interval that the truth's pixels leave, for other noise
-   moves it so far. SEEN: an eighth of a grey level; what differs less in a scene has no shape
-   there. */
+/* Limits of means over the scenes. SHARE is extended by half of the 95 % interval that comes from tracing the truth at
+   few pixels: another pattern of noise changes the relative error by as much. If the RMSE of a scene is below SEEN, an
+   eighth of a grey level, its correlation counts as 0. */
 static const double BIAS = 0.0002, SHARE = 0.002, SHAPE = 0.2, SEEN = 0.0005;
 
 /* ---- >>pictures -------------------------------------------------------------------------------------------------- */
 
-/* share: of the old build's error, of the new one's; doubt: the standard error of their difference. missing: the old
-   build does not draw it. */
+/* share: the relative errors of the old build and of the new one; doubt: the standard error of their difference.
+   missing: 1 if the old build cannot draw the row. */
 typedef struct found {
     compared apart;
     double share[2], doubt;
@@ -41,14 +35,14 @@ typedef struct found {
 } found;
 
 static struct {
-    const char *render[2]; /* old, new */
+    const char *render[2]; /* of the old build and of the new one */
     int wanted[SUBJECTS];
-    place place[SCENES]; /* number k is random:k */
+    place place[SCENES]; /* place[k] is the scene random:k */
     found found[SUBJECTS][SCENES];
-    int compared, broken, missing; /* rows */
+    int compared, broken, missing; /* numbers of rows */
 } all;
 
-/* Runs a command; the first line of what it says where it fails. */
+/* Runs a command. If it fails, the error is the first line that it printed. */
 static int run(const char *command, kit_error *err)
 {
     char line[512] = "", rest[512];
@@ -60,7 +54,7 @@ static int run(const char *command, kit_error *err)
     return pclose(said) ? kit_fail(err, "%s", line) : 0;
 }
 
-/* A build's picture, on one core. */
+/* Draws a row's picture with the old or the new build, on one core. */
 static int draw(kit_image *out, const subject *u, const place *p, int is_new, kit_error *err)
 {
     const int turned = u->view == TURNED, frames = turned ? LOOK_FRAMES : 1;
@@ -84,7 +78,7 @@ static int draw(kit_image *out, const subject *u, const place *p, int is_new, ki
     return 0;
 }
 
-/* What the two err by, as shares of what nothing done errs by. */
+/* Fills in the relative errors of both pictures: RMSE over the RMSE of no occlusion. */
 static int judge(found *f, const subject *u, const look *l, const kit_image *const picture[2], kit_error *err)
 {
     const quantity *q = &quantities[u->quantity];
@@ -109,7 +103,7 @@ static int judge(found *f, const subject *u, const look *l, const kit_image *con
     return 0;
 }
 
-/* Rows first .. last - 1 are of one picture. */
+/* The rows first .. last - 1, which share one picture. */
 typedef struct drawing {
     int first, last;
 } drawing;
@@ -142,7 +136,7 @@ static double figure(const found *f, int which)
                            : f->apart.rmse > SEEN ? f->apart.patches : 0;
 }
 
-/* The mean over the scenes, which is farthest from 0, and how far. */
+/* mean: over the scenes; worst: the value that is farthest from 0, and whose scene it is. */
 typedef struct summary {
     double mean, worst;
     int whose;
@@ -162,7 +156,7 @@ static summary summarise(const found f[SCENES], int which)
     return s;
 }
 
-/* What differs, red where the new picture is brighter. */
+/* Writes the difference as a picture; it is red at pixels that are brighter in the new picture. */
 static int show(const subject *u, place *p, double rmse, kit_error *err)
 {
     const char *channel = quantities[u->quantity].channel[quantities[u->quantity].lit];
@@ -190,7 +184,7 @@ static void print_head(void)
     fflush(stdout);
 }
 
-/* A row's line; how many limits it breaks. */
+/* Prints a row's line. Returns how many limits the row breaks. */
 static int print_row(int i)
 {
     static const char *const limited[FIGURED] = { NULL, "bias", "share", "shape" };
@@ -236,7 +230,7 @@ static void add_csv(FILE *f, int i)
     }
 }
 
-/* Draws a picture's rows and prints them. */
+/* Draws one picture in all scenes and prints the rows that it belongs to. */
 static int compare(const drawing *d, FILE *csv, kit_error *err)
 {
     const subject *u = &subjects[d->first];
@@ -277,9 +271,20 @@ static int want(const char *name, kit_error *err)
     return some ? 0 : kit_fail(err, "%s: there is no such row", name);
 }
 
+static const char usage[] = "against OLD_RENDER NEW_RENDER [ROW ..]";
+static const kit_help_entry help[] = {
+    { NULL, "Compares what two builds of the library draw, on 12 scenes by seed, and the errors of both. It prints a "
+            "line for each row, and writes report/against.csv, and the worst scene of a row that breaks a limit as "
+            "report/against-ROW-QUANTITY.png. The status is 1 if a row breaks a limit, and 2 after an error. make "
+            "against OLD=REVISION builds both programs." },
+    { "OLD_RENDER, NEW_RENDER", "build/render of two checkouts." },
+    { "ROW", "The row of that name, or all rows whose names begin so [all rows]." },
+    { NULL, NULL }
+};
+
 static int parse(int argc, char **argv, kit_error *err)
 {
-    if (argc < 3) return kit_fail(err, "usage: against OLD_RENDER NEW_RENDER [ROW ..]");
+    if (argc < 3) return kit_fail(err, "a program is missing: %s (--help explains it)", usage);
     for (int k = 0; k < 2; ++k) {
         all.render[k] = argv[1 + k];
         if (access(argv[1 + k], X_OK)) return kit_fail(err, "%s: cannot be run", argv[1 + k]);
@@ -306,6 +311,7 @@ int main(int argc, char **argv)
 {
     kit_error err = { "" };
     page csv;
+    if (kit_help(argc, argv, usage, help)) return 0;
     int failed = parse(argc, argv, &err) || folder_make(LOOK_FOLDER, &err) || folder_make(REPORT, &err)
               || page_open(&csv, &err) || visit_all(&err);
     if (!failed) {

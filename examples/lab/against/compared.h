@@ -1,14 +1,13 @@
-/* compared.h - how far one picture is from another: by how much, which way, and whether what differs has a shape. */
+/* compared.h - how far one picture is from another: RMSE, bias, and whether the difference has a shape. */
 #ifndef LAB_COMPARED_H
 #define LAB_COMPARED_H
 
 #include "kit/kit.h"
 
-/* Of a less b. values: how many were compared. A value that is no number makes rmse none.
-   across, down: the autocorrelation of what differs, so many pixels to the right and down; patches: that of its means
-   over 8x8 pixels, from one to the next ones. All 0 where nothing differs, or all by the same. Noise that a filter has
-   spread is like itself a few pixels away, and its pattern repeats: only means over patches are independent, whatever
-   the noise. What a change does to places of a picture lasts from patch to patch. */
+/* About the difference a - b. values: how many are compared; rmse is NAN if one of them is no number. across, down: the
+   autocorrelation of the difference at lags of compared_lag pixels; patches: the correlation between the means of
+   neighbouring 8x8 patches; 0 if the difference is the same everywhere. Filtered noise correlates with itself a few
+   pixels away, but its means over patches do not. A change of shapes lasts from patch to patch. */
 enum { COMPARED_LAGS = 2, COMPARED_PATCH = 8 };
 extern const int compared_lag[COMPARED_LAGS];
 typedef struct compared {
@@ -16,12 +15,12 @@ typedef struct compared {
     double rmse, bias, across[COMPARED_LAGS], down[COMPARED_LAGS], patches;
 } compared;
 
-/* Where mask is above 0 (NULL: everywhere); count channels together. */
+/* Compares the pixels at which mask is above 0 (mask NULL: all of them), over all of the channels together. */
 int compared_of(compared *out, const kit_image *a, const kit_image *b, const char *const *channels, int count,
                 const float *mask, kit_error *err);
 
-/* What two pictures err by, and the standard error of the difference of the two, where the pixels that are compared are
-   a sample of the picture. Others of the noise as good would move it as much. */
+/* The RMSE of two pictures against the truth, and the standard error of the difference between the two RMSE, if the
+   compared pixels are a random sample of the picture: another pattern of noise would change it by as much. */
 typedef struct errors {
     double rmse[2], doubt;
 } errors;

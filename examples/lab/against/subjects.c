@@ -1,5 +1,4 @@
-/* subjects.c - the rows that two builds are held against each other by: every accumulator, thickness and kind of view.
-   Declared in subjects.h. */
+/* subjects.c - the rows by which two builds are compared: methods, thicknesses, kinds of view. See subjects.h. */
 #include "lab/against/subjects.h"
 
 const quantity quantities[QUANTITIES] = {

@@ -1,18 +1,18 @@
-/* subjects.h - what two builds are held against each other by: a row a picture and a quantity in it. */
+/* subjects.h - the rows by which two builds are compared. A row is one quantity of one picture. */
 #ifndef LAB_SUBJECTS_H
 #define LAB_SUBJECTS_H
 
-/* lit: the truth that it is of is light's. Light counts in shares of the mean light of open surfaces. */
+/* lit: 1 if the truth is of light, whose errors are divided by the mean light of unoccluded surfaces. */
 enum { VISIBILITY, IRRADIANCE, BOUNCE, QUANTITIES };
 typedef struct quantity { const char *word, *channel[3]; int channels, lit; } quantity;
 extern const quantity quantities[QUANTITIES];
 
-/* A frame, with the back faces of what it shows or without; one of an orthographic camera; the scene itself, whose
-   depth is a window's; its eighth frame while the camera turns about it. */
+/* FRAME: a saved frame; SLABS: one with back faces; ORTHOGRAPHIC: one of an orthographic camera; SCENE: the scene
+   itself, with window depth; TURNED: the eighth frame of a camera that turns about the scene. */
 enum { FRAME, SLABS, ORTHOGRAPHIC, SCENE, TURNED, VIEWS };
 
-/* new_alone: settings of the new build, whose picture must be that of the old one without. Rows of one name are of one
-   picture, and follow each other. */
+/* new_alone: settings for the new build alone, with which it must draw what the old build draws without them. Rows of
+   one name have one picture and stand together. */
 typedef struct subject { const char *name, *method, *settings; int quantity, view; const char *new_alone; } subject;
 enum { SUBJECTS = 25 };
 extern const subject subjects[SUBJECTS];

@@ -1,24 +1,22 @@
-/* bench.c - what every method takes on this machine's GPU, beside what bounds it, and the plan's costs there.
+/* bench.c - measures the time of every method on this machine's GPU, the bounds of that time, and the plan's costs.
+   --help lists the options.
 
-      build/bench [--context egl | egl-es | osmesa] [--scene NAME] [--method NAME] [--size 1920x1080,..]
-                  [--out report] [--plan yes | no | NUMBER] [--seconds N]
-
-   Every row of build/render --list at its defaults and some settings that engines ask about; rows in turn, round after
-   round, so that all share what the clock and the neighbours do. On a GPU less than five minutes; without one few rows,
-   small, less than ten, and the tables say so. The plan's choices are measured on a GPU where all methods are; or one,
-   by its number. */
+   Times every method of build/render --list at its defaults, and some settings that engines ask about. All rows are
+   timed in turn, in several rounds, so that a change of the clock or of the load affects all of them. This takes less
+   than five minutes on a GPU; without one, less than ten for few rows at small sizes, and the tables say so. With all
+   methods on a GPU the plan's choices are measured, too. --plan NUMBER measures that choice alone. */
 #include "lab/bench/bench.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "lab/measure/folder.h"
 
-/* Seconds for all; the share of the plan's choices. */
+/* Seconds for all rows, and of these for the plan's choices. */
 enum { LIMIT_GPU = 270, LIMIT_SOFTWARE = 480 };
 
 #define PLAN_SHARE 0.3
 
-/* What the command is asked for, as it and as make name it; NULL: not said. */
+/* The options, by their names on the command line and in make; NULL: not given. */
 enum { CONTEXT, SCENE, METHOD, SIZE, OUT, PLAN, SECONDS, OPTIONS };
 static const struct { const char *name, *make; } names[OPTIONS] = {
     { "--context", "CONTEXT" }, { "--scene", "SCENE" }, { "--method", "METHOD" }, { "--size", "SIZE" },
@@ -42,7 +40,7 @@ static int parse(options a, int argc, char **argv, kit_error *err)
     return 0;
 }
 
-/* -1: it is no whole number of least .. most. */
+/* Reads a whole number of least .. most; -1: the text is no such number. */
 static int whole(int *out, const char *text, int least, int most)
 {
     char *end;
@@ -51,7 +49,7 @@ static int whole(int *out, const char *text, int least, int most)
     return end == text || *end || v < least || v > most ? -1 : 0;
 }
 
-/* What is said of the plan and the time; else what suits the context. */
+/* Sets plan and time limits as asked for, else as suits the context. */
 static int limits_of(bench *b, options a, kit_error *err)
 {
     int only = -1;
@@ -80,7 +78,7 @@ static int sizes_of(bench *b, const char *text, kit_error *err)
     return kit_fail(err, "--size %s: must be up to %d of 8x8 .. %dx%d, by commas", all, BENCH_SIZES, MOST, MOST);
 }
 
-/* The options as make takes them. */
+/* Writes the options as a command of make. */
 static void command_of(bench *b, options a)
 {
     size_t n = (size_t)snprintf(b->command, sizeof b->command, "make bench");
@@ -89,7 +87,7 @@ static void command_of(bench *b, options a)
             n += (size_t)snprintf(b->command + n, sizeof b->command - n, " %s=%s", names[k].make, a[k]);
 }
 
-/* A GPU where EGL finds one; without EGL, unless it was asked for, the CPU. */
+/* Without a context's name: opens EGL's, and the CPU's if there is no EGL. */
 static int context_open(const char *context, kit_error *err)
 {
     if (context || !kit_gl_open("egl", err)) return context ? kit_gl_open(context, err) : 0;
@@ -114,7 +112,7 @@ static int bench_open(bench *b, options a, kit_error *err)
     return b->count < 0 || folder_make(a[OUT], err) ? -1 : 0;
 }
 
-/* At one size. end: of all rows; of the plan's choices, 0: not here; of all that there is to do. */
+/* Times the rows at one size. end: when the rows, the plan's choices (0: not at this size) and the bench must end. */
 static int bench_size(bench *b, int s, const double end[3], kit_error *err)
 {
     kit_camera camera = b->scene.camera;
@@ -147,9 +145,9 @@ static int bench_all(bench *b, kit_error *err)
     int failed = 0;
     rows_progress(0);
     for (int s = 0; s < b->sizes && !failed; ++s) {
-        /* the plan's choices follow the first size, and what they leave is the others' */
+        /* The plan's choices follow the first size. The other sizes share the time that is left. */
         const double now = kit_seconds(), rows = now + (began + limit - now - (s ? 0 : plan)) / (b->sizes - s);
-        /* the first size is drawn whatever it takes */
+        /* the first size is drawn however long it takes */
         const double end[3] = { rows, b->planned && !s ? rows + plan : 0, s ? began + limit : HUGE_VAL };
         failed = bench_size(b, s, end, err);
     }
@@ -157,11 +155,27 @@ static int bench_all(bench *b, kit_error *err)
     return failed;
 }
 
+static const char usage[] = "bench [options]";
+static const kit_help_entry help[] = {
+    { NULL, "Measures the milliseconds of every method on this machine's GPU, and the planner's costs there. It takes "
+            "less than five minutes; without a GPU it measures few methods on the CPU, in less than ten. It prints a "
+            "table, and writes bench.csv, plan-gpu.csv and report/index.html." },
+    { "--context NAME", "egl, egl-es or osmesa: the source of the GL context [egl, or osmesa where there is none]." },
+    { "--scene NAME", "The scene, as build/render takes it [room]." },
+    { "--method NAME", "Methods whose names begin so, without the planner's choices." },
+    { "--size WxH,..", "The sizes of the image [1920x1080,2560x1440,3840x2160; on a CPU 640x360]." },
+    { "--plan yes | no | N", "Whether the planner's choices are measured, or that choice alone." },
+    { "--seconds N", "The time for everything, 1 to 86400 [270; on a CPU 480]." },
+    { "--out FOLDER", "The folder to write into [report]." },
+    { NULL, NULL }
+};
+
 int main(int argc, char **argv)
 {
     static bench b;
     kit_error err = { "" };
     options a = { [OUT] = "report" };
+    if (kit_help(argc, argv, usage, help)) return 0;
     kit_streams_open();
     int failed = parse(a, argc, argv, &err) || bench_open(&b, a, &err) || bench_all(&b, &err)
               || show_all(stdout, &b, a[OUT], &err);

@@ -1,4 +1,4 @@
-/* peaks.c - what the machine copies at best. Declared in bench.h. */
+/* peaks.c - the highest rate at which the machine copies. Declared in bench.h. */
 #include "lab/bench/bench.h"
 #include <math.h>
 
@@ -7,7 +7,7 @@ static const char *const triangle =
     "    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n"
     "}\n";
 
-/* What is copied must not compress. */
+/* The copied texture is noise, so that the GPU cannot compress it. */
 static const char *const noise = "out vec4 o_noise;\n"
                                  "void main() {\n"
                                  "    uvec2 p = uvec2(gl_FragCoord.xy);\n"
@@ -21,7 +21,7 @@ static const char *const copy = "uniform sampler2D t_from;\n"
                                 "out vec4 o_to;\n"
                                 "void main() { o_to = texelFetch(t_from, ivec2(gl_FragCoord.xy), 0); }\n";
 
-/* A CPU draws the smaller one. */
+/* A CPU draws the second size. */
 static const int sizes[2][2] = { { 3840, 2160 }, { 1280, 720 } };
 
 enum { MOVED = 16 }; /* bytes a pixel, read and written */
@@ -35,7 +35,7 @@ static void draw(GLuint program, GLuint framebuffer, GLuint to, const int size[2
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/* The shortest of some draws, in milliseconds, after a few that warm up. */
+/* The shortest time of some draws, in milliseconds, after a few draws that warm up. */
 static double shortest(GLuint program, GLuint framebuffer, GLuint to, const int size[2])
 {
     const double began = kit_seconds(), seconds = kit_gl_is_software() ? 0.3 : 0.15;

@@ -1,4 +1,4 @@
-/* plan.c - the plan's second column of costs, as this machine has it. Declared in bench.h. */
+/* plan.c - this machine's second column of the plan's costs. Declared in bench.h. */
 #include "lab/bench/bench.h"
 #include <string.h>
 
@@ -30,7 +30,7 @@ int plan_choose(plan_costs *costs, int only, kit_error *err)
     return count ? 0 : kit_fail(err, "--plan %d: that choice is not one of a gather and its filters", only);
 }
 
-/* A choice between an unblurred ssao before it and its own: their ratio. */
+/* Draws an unblurred ssao, then the choice, and notes the ratio of their times. */
 static int compare(choice *c, const kit_method *unit, const place *p, double seconds, kit_error *err)
 {
     timing of[2] = { { .frames = 0 }, { .frames = 0 } };

@@ -1,4 +1,4 @@
-/* rows.c - methods, timed in turn. Declared in bench.h. */
+/* rows.c - times methods in turn. Declared in bench.h. */
 #include "lab/bench/bench.h"
 #include <math.h>
 #include <string.h>
@@ -7,14 +7,14 @@ static const char *const more[][2] = { { "ssao", "directions=32" },  { "hsao", "
                                        { "hsao", "thickness=back" }, { "hsao", "thickness=slabs" },
                                        { "hsao", "history=1" },   { "ssdo", "bounce=none" },
                                        { "ssdo", "reuse=1" } };
-/* what a machine without a GPU has time for */
+/* the methods for which a machine without a GPU has time */
 static const char *const few[] = { "ssao", "hsao-fast", "hsao", "hsao-best", "ssdo", "s3ho" };
 
 static int chosen(const char *name, const char *asked)
 {
     int one_of = 0;
     for (size_t i = 0; i < sizeof few / sizeof *few; ++i) one_of |= !strcmp(name, few[i]);
-    return asked ? !strncmp(name, asked, strlen(asked)) : one_of || !kit_gl_is_software(); /* "": all */
+    return asked ? !strncmp(name, asked, strlen(asked)) : one_of || !kit_gl_is_software(); /* asked "": all */
 }
 
 int rows_new(bench_row rows[BENCH_ROWS], const char *asked, kit_error *err)
@@ -48,7 +48,7 @@ void rows_quartiles(double quartile[3], double *v, int count)
 
 /* ---- >>time ------------------------------------------------------------------------------------------------------ */
 
-/* The part that a pass belongs to; NULL: there are too many. */
+/* The part that collects a pass; NULL: there are too many parts. */
 static part *part_of(timing *t, const kit_pass *p)
 {
     const char *name = ssgi_gl_pass_name(p->desc.pass);
@@ -59,7 +59,7 @@ static part *part_of(timing *t, const kit_pass *p)
     return &t->part[k];
 }
 
-/* What a frame moves by its passes; the same in each round. */
+/* Notes how many bytes the passes of a frame move. They are the same in each round. */
 static void note_bytes(timing *t, const kit_run *run)
 {
     t->bytes = 0;
@@ -75,7 +75,7 @@ static void note_bytes(timing *t, const kit_run *run)
 
 static int most_frames(void) { return kit_gl_is_software() ? BENCH_FRAMES / 4 : BENCH_FRAMES; }
 
-/* Draws whose passes are timed alone: medians of each, summed over those of a name. */
+/* Draws frames and times each pass alone. Sums the medians of passes of one name. */
 static int time_passes(timing *t, kit_run *run, unsigned n, double seconds, kit_error *err)
 {
     static double ms[KIT_MAX_PASSES][BENCH_FRAMES];
@@ -95,7 +95,7 @@ static int time_passes(timing *t, kit_run *run, unsigned n, double seconds, kit_
     return 0;
 }
 
-/* Warmed up, so that a GPU is at its clock. */
+/* Warms up first, so that the GPU runs at its full clock. */
 static int time_run(timing *t, kit_run *run, double seconds, int apart, kit_error *err)
 {
     const double began = kit_seconds(), warming = kit_gl_is_software() ? 0 : 0.1;
@@ -123,7 +123,7 @@ int rows_time(timing *t, const kit_method *method, const place *p, double second
     return failed;
 }
 
-/* What the scene's back faces take, where a row asks for them; anew: the first was of a cold program. */
+/* Draws a row's back faces once more, to time them: the first draw compiled the program. */
 static void time_slabs(timing *t, const kit_method *m, const place *p)
 {
     const int behind = m->set.thickness, two = behind == SSGI_GL_THICKNESS_SLABS;
@@ -148,7 +148,7 @@ static void time_row(bench_row *r, int size, const place *p, double seconds)
 
 void rows_round(bench_row *rows, int count, int size, const place *p)
 {
-    /* half of the time is for making them ready */
+    /* the other half is left for compiling and warming up */
     const double seconds = fmax(0, 0.5 * (p->end - kit_seconds()) / count);
     for (int i = 0; i < count; ++i) {
         if (!*rows[i].why && kit_seconds() < p->last) time_row(&rows[i], size, p, seconds);

@@ -1,4 +1,4 @@
-/* show.c - what was measured as csv, as text and as a record. Declared in bench.h. */
+/* show.c - the bench's results as csv, as text and as a record. Declared in bench.h. */
 #include "lab/bench/bench.h"
 #include <string.h>
 #include "lab/measure/csv.h"
@@ -17,7 +17,7 @@ static int most_of(const bench *b, int frames)
     return most;
 }
 
-/* What stands above the times, and above their bounds: for people and for the record. */
+/* Writes the text above the table of times and that above the table of bounds, for stdout and for the record. */
 static void about_times(char out[1200], const bench *b)
 {
     snprintf(out, 1200,
@@ -76,7 +76,7 @@ static void csv_plan(FILE *f, const bench *b)
 
 /* ---- >>all ------------------------------------------------------------------------------------------------------- */
 
-/* The csv as text, and what it lacks. */
+/* The csv as text, and the rows that are missing in it. */
 static void text_all(FILE *f, const bench *b, const csv *c, const char *times, const char *bounds)
 {
     fprintf(f, "%s\n\n%s\n\n", times, bounds);

@@ -1,5 +1,5 @@
-/* ao.c - ambient occlusion: a scanned mesh with every method beside the truth, and error against time on every scene,
-   with what others have beside it. Declared in chart.h. */
+/* ao.c - the sections on ambient occlusion: the demo, a scanned mesh by every method beside the truth; and the chart of
+   error against time on every scene, with other libraries' effects. Declared in chart.h. */
 #include "lab/chart/chart.h"
 #include <string.h>
 #include <unistd.h>
@@ -11,11 +11,11 @@
 
 /* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
-static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */
+static const float DEMO_ERROR = 0.03f;      /* the error that the demo's planned row asks for */
 enum { DEMO_ROUNDS = 3, AO_PHASES = 2 };
 _Static_assert((int)MOST_ROWS + (int)MOST_PEERS <= (int)MOST_SET_ROWS, "more rows than MOST_SET_ROWS");
 
-/* The demo's methods, and what the plan takes for DEMO_ERROR. */
+/* Measures the demo's methods, and the method that the plan chooses for DEMO_ERROR. */
 static int measure_planned(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
                            kit_error *err)
 {
@@ -53,9 +53,9 @@ static found demo_found[COUNT(demos)];
 const section ao_demo = { .name = "ao", .sets = WITH_COUNT(demos), .width = 800, .height = 450, .open = open_mesh,
                           .measure = measure_planned, .range = 0.5, .found = demo_found };
 
-/* ---- >>peers: what others have, beside the library's rows -------------------------------------------------------- */
+/* ---- >>peers: other libraries' effects beside the library's rows ------------------------------------------------- */
 
-/* One line: how they stand on the chart, or why there are none. */
+/* One line: how the peers are scored on the chart, or why there are none. */
 static const char *peers_note(void)
 {
     return *peers_missing() ? peers_missing()
@@ -65,9 +65,9 @@ static const char *peers_note(void)
 
 /* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
-enum { AO_GIVENS = 2 };                           /* floor and no AO */
+enum { AO_GIVENS = 2 };                           /* the floor and no AO */
 static found chart_found[MOST_SCENES];
-static int scenes;                               /* of the chart, there or not */
+static int scenes;                               /* of the chart, also those that are missing here */
 
 int ao_entries(const options *o)
 {
@@ -77,7 +77,7 @@ int ao_entries(const options *o)
 
 static int units(const options *o) { return scenes = o->scenes ? o->scenes : stage_views_count; }
 
-/* The k-th scene of those asked for, else of all that are there. */
+/* The k-th of the scenes that are asked for; without such, of all that are there. */
 static view view_at(const options *o, int k)
 {
     view v = { .name = o->scenes ? o->scene[k] : stage_views[k].name, .path = o->scenes ? o->scene[k] : NULL };
@@ -140,7 +140,7 @@ static void head(FILE *record, const options *o)
     }
 }
 
-/* The means of all scenes. */
+/* Prints the means over all scenes. */
 static void text(FILE *f)
 {
     const row *rows[MOST_SCENES];

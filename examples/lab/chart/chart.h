@@ -1,25 +1,26 @@
-/* chart.h - what report.c's demo and charts are made of. A section's csv is named in it. */
+/* chart.h - the sections of report.c's demo and charts. Each section names its csv. */
 #ifndef LAB_CHART_H
 #define LAB_CHART_H
 
 #include "lab/chart/section.h"
 
-/* Ambient occlusion, light, fields, deep screen space: the demo's, the chart's. ao_chart: on all scenes, with what
-   others have beside it; its entries are how many rows are asked for. */
+/* The sections of the demo and of the charts: ambient occlusion, light, fields, deep screen space. ao_chart has all
+   scenes and other libraries' effects; ao_entries is how many of its rows are asked for. */
 extern const section ao_demo, lit_demo, fields_demo, deep_demo;
 extern const section ao_chart, lit_chart, fields_chart, deep_chart;
 int  ao_entries(const options *o);
-void ao_demo_of(const char *path);            /* another mesh than the demo's own */
-/* Light on every pair of a scene and a probe; scenes by seed and models. */
+void ao_demo_of(const char *path);            /* shows this mesh instead of the demo's own */
+/* Charts of light on every pair of a scene and a probe, and of scenes by seed and models. */
 extern const section pairs_chart, seeds_chart;
-/* Measures seeds, a process a core, before there is a context, and keeps them. */
+/* Measures the scenes by seed in one process a core, before there is a GL context, and keeps the results. */
 int seeds_ahead(const options *o, kit_error *err);
 
-/* One frame alone beside the last of sixteen, while the camera turns: of the demo. */
+/* For the demo: one frame alone beside the last of sixteen frames of a turning camera. */
 int strip_demo(FILE *record, const options *o, kit_error *err);
 
-/* The plan on views that it was not fitted on: plan.csv, plan-seeds.csv, plan-numbers.csv, plan-summary.csv; and what
-   it is fitted to: plan-fit.csv. ahead: as seeds_ahead, of the seeds that judge, of those that fit. */
+/* plan_chart measures the plan on views that it was not fitted on and writes plan.csv, plan-seeds.csv, plan-numbers.csv
+   and plan-summary.csv; plan_fit writes plan-fit.csv, which the fit reads. The two ahead measure, as seeds_ahead does,
+   the seeds that judge the plan and those that fit it. */
 int  plan_ahead(const options *o, kit_error *err);
 int  plan_chart(FILE *record, const options *o, kit_error *err);
 void plan_text(FILE *f);

@@ -1,10 +1,10 @@
-/* deep_stage.h - what the pages on deep screen space share: their views; and rows of a camera that moves. */
+/* deep_stage.h - views that the sections on deep screen space share, and rows of a camera that moves. */
 #ifndef LAB_DEEP_STAGE_H
 #define LAB_DEEP_STAGE_H
 
 #include "lab/chart/section.h"
 
-/* boxes are added, where their upper y is above their lower one */
+/* box[k] is added to the scene if its upper y is above its lower y. */
 typedef struct deep_view { view view; float box[4][6]; otherwise otherwise; } deep_view;
 enum { DEEP_WIDTH = 320, DEEP_HEIGHT = 180 };
 
@@ -15,9 +15,9 @@ extern const lit deep_sky, deep_lamp, deep_behind;
     { name, BUNNY, ground, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, radius, lit }, NO_BOX
 #define NO_BOX    { { 0 } }
 #define BUNNY_AO  { BUNNY_VIEW("bunny-on-floor", 1, 0.6f, NULL), PLAINLY }
-/* as ssdo has it: less the farther within the radius */
+/* As in ssdo, an occluder counts less the farther away it is within the radius. */
 #define FADING    { BUNNY_VIEW("light-fading", 1, 0.6f, &deep_sky), PLAINLY }
-#define WHOLE_LIGHT { BUNNY_VIEW("light-whole", 1, 0.6f, &deep_sky), WHOLLY }      /* as dss-lit has it */
+#define WHOLE_LIGHT { BUNNY_VIEW("light-whole", 1, 0.6f, &deep_sky), WHOLLY }      /* as in dss-lit */
 #define LOBE      { { "gloss", "cornell", 0, { 0 }, { 0 }, 0, 1.5f, &deep_lamp }, NO_BOX, { 1, GLOSS, 8, 0, NULL } }
 #define OF_MARBLE { BUNNY_VIEW("marble", 0, 10, &deep_behind), { 0, SCATTER, 0, 0.05f, "marble" } }
 #define OWN_VIEW(scene) { { scene, scene, 0, { 0 }, { 0 }, 0, 0, NULL }, NO_BOX, PLAINLY }
@@ -28,7 +28,7 @@ extern const lit deep_sky, deep_lamp, deep_behind;
 int  deep_load(stage *s, const deep_view *v, kit_error *err);
 int  deep_open(stage *s, const deep_view *v, kit_error *err);
 
-/* A camera that turns away, and one that moves: how many rows; -1 = failed. */
+/* Measure a camera that turns away and one that moves. They return how many rows; -1 = failed. */
 int  deep_turns(FILE *record, const options *o, row *rows, kit_error *err);
 int  deep_motion(FILE *record, const options *o, row *rows, kit_error *err);
 

@@ -1,4 +1,4 @@
-/* fields_stage.c - rigid occluders put up on a stage, and rows of their fields. Declared in fields_stage.h. */
+/* fields_stage.c - puts rigid occluders on a stage, and measures rows of their fields. Declared in fields_stage.h. */
 #include "lab/chart/fields_stage.h"
 #include <math.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ void fields_place(float to_world[16], float size, const float at[3])
     to_world[15] = 1;
 }
 
-/* What shows the object is not scored: it is not shaded by itself. */
+/* Leaves out the pixels that show the object, which does not shade itself. */
 static int leave_out(stage *s, int object, kit_error *err)
 {
     const int width = s->gbuffer.width, height = s->gbuffer.height;

@@ -1,18 +1,18 @@
-/* fields_stage.h - what the pages on ambient occlusion fields share: rigid occluders put up on a stage, and rows of
-   their fields. */
+/* fields_stage.h - rigid occluders on a stage, and rows of their fields, for the sections on ambient occlusion
+   fields. */
 #ifndef LAB_FIELDS_STAGE_H
 #define LAB_FIELDS_STAGE_H
 
 #include "lab/measure/measure.h"
 
-/* Where an object of "casters" is put; a view of what is rigid. spot: all other objects are hidden in the ground (none:
-   all stay). box: added, cast nothing. */
+/* spot: the place of an object of the scene "casters". setup: a view of rigid occluders. All objects without a spot are
+   hidden in the ground; without any spot all stay. box: added to the scene, and casts nothing. */
 typedef struct spot { const char *name; float size, at[3]; } spot;
 typedef struct setup {
     view   view;
     spot   spot[2];
     float  box[3][6];
-    double time;                           /* of kit_scene_move */
+    double time;                           /* milliseconds that kit_scene_move takes */
     int    rays;
 } setup;
 
@@ -23,11 +23,11 @@ typedef struct setup {
 
 void fields_place(float to_world[16], float size, const float at[3]);
 int  fields_open(stage *s, const setup *f, int width, int height, kit_error *err);
-/* What a method's settings ask of a bake. */
+/* The desc of the bake that a method's settings ask for. */
 int  fields_desc(ssgi_field_desc *d, const char *settings, kit_error *err);
-/* Adds a bake to a row that is blank or has others: memory and time add up, of errors the worst stays. */
+/* Adds a bake to a row, which may be blank or have other bakes: memory and time add up, the largest error stays. */
 int  fields_baked(row *r, const kit_mesh *shape, const ssgi_field_desc *d, kit_error *err);
-/* Occlusions and their fields: fills a row an entry, and one of no AO, beside the entries' pictures. */
+/* Draws occlusion by the entries' fields: fills a row for each entry and one of no AO, and the entries' pictures. */
 int  fields_measure(row *rows, stage *s, const entry *entries, int count, kit_image *picture, kit_error *err);
 
 #endif

@@ -1,5 +1,5 @@
-/* lit.c - light: pictures for the demo, a chart, what layers, cameras and points buy, what harmonics buy. Declared in
-   chart.h. */
+/* lit.c - the sections on light: the demo's pictures, a chart, the effect of layers, cameras and points, and the effect
+   of harmonics. Declared in chart.h. */
 #include "lab/chart/chart.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
@@ -31,8 +31,8 @@ static const lit band_lits[] = {
 #define SCENE(name, scene, lit) &(const view){ name, scene, 0, { 0 }, { 0 }, 0, 0, lit }
 #define BOXES(lit) &(const view){ "bunny", BUNNY, 1, { -0.1f, 1.1f, 4.4f }, { 0, -0.25f, 0 }, 32, 0.6f, lit }
 
-/* Rows of directions=16,fade=none,range_check=0 have 16 points each, one a direction, as the papers of point sampling
-   have it: the same visibility for all methods. */
+/* Rows of directions=16,fade=none,range_check=0 have 16 points, one on each direction, as the papers on point sampling
+   have: so all methods get the same visibility. */
 #define LOCAL "Suns are local: blocked within the radius as the environment is, not by the whole scene."
 enum { PROBE_STRIDE = 14, PHASES = 8 };
 _Static_assert(ON_STRIDE(PROBE_STRIDE), "noise is probed where there is no truth");

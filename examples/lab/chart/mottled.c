@@ -1,4 +1,4 @@
-/* mottled.c - rows' noise and error by bands of frequency. Declared in mottled.h. */
+/* mottled.c - a row's noise and error in bands of frequency. Declared in mottled.h. */
 #include "lab/chart/mottled.h"
 
 int mottled_open(mottled *m, const stage *s, kit_error *err)

@@ -1,5 +1,5 @@
-/* pairs.c - light on every pair of a scene and a probe: a method that suits one of them only is seen to. Declared in
-   chart.h. */
+/* pairs.c - light on every pair of a scene and a probe, so that a method that suits only one of them is noticed.
+   Declared in chart.h. */
 #include "lab/chart/chart.h"
 #include <math.h>
 #include <string.h>
@@ -13,7 +13,7 @@
 #define INTERIOR_PACKAGE "blender-data"
 
 enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180 };
-/* alone, and with boxes beside the bunny; as many rays as bring the truth's noise below 1 % of the mean */
+/* lit[0]: the probe alone; lit[1]: with boxes beside the bunny. The truth's noise is below 1 % of the mean. */
 #define LIT(env, rays, exposure) \
     { { env, { NULL }, 0, 0, 0, rays, exposure, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, exposure, NO_CROPS } }
 static const struct { const char *name; lit lit[2]; int quick; } probes[] = {
@@ -67,9 +67,9 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     v.lit = &probes[k % PROBES].lit[scenes[k / PROBES].boxes];
     if (stage_load(&s, &v, err) || stage_look(&s, &v, PAIR_WIDTH, PAIR_HEIGHT, err)) return -1;
     s.stride = LIT_STRIDE;
-    s.rays = s.lit->rays;                           /* a quick chart's, too: noise below 1 % is what it is for */
+    s.rays = s.lit->rays;                           /* not fewer in a quick chart, so that the noise stays below 1 % */
     if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, QUICK_ROUNDS, 0, picture, err)) return -1;
-    row *beside = rows + count;                     /* measure left the open row there */
+    row *beside = rows + count;                     /* measure has put the row of no occlusion there */
     beside[1] = beside[0];
     beside[1].label = open_label;
     if (stage_visibility(&visible, &s, err) || stage_dim(&visible, &s, err)

@@ -1,5 +1,5 @@
-/* plan.c - what report.c shows of the plan: choices measured on scenes that it was not fitted on, and whether it chose
-   well; and what the fit reads, whose numbers stand in ssgi.h's room >>plan. Declared in chart.h. */
+/* plan.c - report.c's section on the plan: choices measured on scenes that it was not fitted on, and whether it chose
+   well; and the data of the fit, whose results stand in ssgi.h's room >>plan. Declared in chart.h. */
 #include "lab/chart/chart.h"
 #include <math.h>
 #include <string.h>
@@ -9,13 +9,13 @@
 /* ---- >>judging --------------------------------------------------------------------------------------------------- */
 
 enum { PLANNED_ERRORS = 6 };
-/* of each wanted */
+/* by the wanted quantity */
 static const double planned_errors[4][PLANNED_ERRORS] = { { 0.015, 0.02, 0.03, 0.045, 0.07, 0.1 },
                                              { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
                                              { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
                                              { 0.01, 0.015, 0.02, 0.03, 0.05, 0.08 } };
-/* Of how many plans it is so, of how many it might be. Good: at most 1.2 times the error that was asked for, at most
-   1.25 times the cost of the cheapest choice that meets it. Told: that no choice meets it. */
+/* Verdicts: of how many plans each is true, and of how many it might be. GOOD: at most 1.2 times the error asked for,
+   at most 1.25 times the cost of the cheapest choice that meets it. TOLD: the plan says if no choice meets it. */
 enum { GOOD, GOOD_NEEDED, WITHIN, TOLD, VERDICTS };
 static const char *const verdict_names[VERDICTS] = { "", ", where doing nothing would not do",
                                                      ", within 1.2 of the error alone",
@@ -33,7 +33,7 @@ static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
     char settings[256];
     const char *name = kit_plan_text(settings, p, wanted);
     snprintf(out, 320, "%s%s%s", name ? name : "nothing", name && *settings ? " " : "", name ? settings : "");
-    for (char *at = out; *at; ++at) if (*at == ',') *at = ' ';        /* CSV */
+    for (char *at = out; *at; ++at) if (*at == ',') *at = ' ';        /* a comma would end the cell */
     return out;
 }
 
@@ -44,11 +44,11 @@ static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
            && a->field_resolution == b->field_resolution && !(fabsf(a->surfel_size - b->surfel_size) > 0);
 }
 
-/* What is known: a calibration; a survey alone; of that what a captured frame tells: neither slabs nor surfels. */
+/* How much the plan knows of a scene: a calibration; a survey; of a survey, the part that a captured frame gives. */
 enum { CALIBRATED, SURVEYED, CAPTURED, KNOWN };
 
-/* What the plan takes for an error that is asked for and, where the row knows it, the cheapest choice that meets it.
-   csv: what is taken, what that predicts, what is measured, that choice and its cost; NULL: not asked. */
+/* Compares the plan for an error that is asked for with the cheapest measured choice that meets it. csv (NULL: none):
+   the plan's choice, its predicted error, its measured error and cost; the cheapest choice, its error and cost. */
 static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int known, int history)
 {
     static const char *const names[] = { "visibility", "light", "bounce", "objects" };
@@ -79,7 +79,7 @@ static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int
                 plan_name(text[1], &cheapest, r->numbers.wanted), r->error[best], r->cost[best], good);
 }
 
-/* fits: 1, or 2 where choices were not timed. */
+/* fits: 1; or 2 if the choices were not timed. */
 static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
 {
     const ssgi_plan_scene *n = &r->numbers;
@@ -108,7 +108,7 @@ int plan_ahead(const options *o, kit_error *err)
     return planned_seeds_ahead(SEEDS_JUDGED, judging_seeds(o), o->context, err);
 }
 
-/* Everything that the fit reads: examples/lab/fit.c. */
+/* Writes the csv that examples/lab/fit.c reads. */
 int plan_fit(const char *out, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
@@ -121,7 +121,8 @@ int plan_fit(const char *out, kit_error *err)
     return page_close(&csv, out, "plan-fit.csv", err);
 }
 
-/* Scenes at hand, scenes by seed; by what is known; both without history and with. */
+/* Sets: scenes at hand, scenes by seed. A set's verdicts, by how much is known, count plans with and without
+   history. */
 enum { SCENES, SEEDS, SETS };
 static verdict verdicts[SETS][KNOWN];
 
@@ -143,7 +144,7 @@ static int plan_summary(FILE *record, const char *out, kit_error *err)
     return page_csv(record, "rows", &csv, out, "plan-summary.csv", err);
 }
 
-/* One set's rows from first to count, counted. */
+/* Judges the rows from first to count - 1 of one set, and counts the verdicts. */
 static void judge_all(verdict v[KNOWN], FILE *csv, const planned_row *rows, int first, int count)
 {
     fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", csv);

@@ -1,5 +1,5 @@
-/* planned.c - the plan's choices measured: on views of scenes, with their times, and on scenes by seed. Declared in
-   planned.h. */
+/* planned.c - measures the plan's choices: with their times on views of scenes, without them on scenes by seed.
+   Declared in planned.h. */
 #include "lab/chart/planned.h"
 #include <math.h>
 #include <stdlib.h>
@@ -11,7 +11,8 @@
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-/* turn: of the eye about its target, radians; radius: of the scene's own; objects: occlusion between them, too */
+/* turn: of the eye about its target, in radians; radius: over the scene's own; objects: occlusion between objects,
+   too */
 typedef struct plan_view {
     const char *scene;
     int fits;
@@ -30,18 +31,18 @@ static const plan_view planned_views[] = {
     { "plates", 0, 0, 1, 1.2f, 0 },
     { "crowd", 0, 0, 1, 1, 1 }
 };
-/* suns: two soft ones, pink and turquoise */
+/* "suns": two soft suns, a pink and a turquoise one */
 static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
 
 enum {
     PLANNED_VIEWS = COUNT(planned_views),
-    PLANNED_SLOW = 20, /* unblurred 16-sample ssaos */
+    PLANNED_SLOW = 20, /* in times of an unblurred 16-sample ssao */
     PLANNED_QUICK_RAYS = 256
 };
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
-/* Two soft suns, pink and turquoise, in place of the stage's light. */
+/* Lights the stage by two soft suns, a pink and a turquoise one. */
 static int planned_suns(stage *s, kit_error *err)
 {
     static const kit_light suns[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } },
@@ -57,7 +58,7 @@ static int planned_suns(stage *s, kit_error *err)
     return 0;
 }
 
-/* The view, turned and nearer; from well aside it is from lower, too. */
+/* Turns the view and moves it nearer to the target. A view from far aside is also lower. */
 static void planned_turn(view *v, const plan_view *p, const kit_scene *scene)
 {
     if (!(v->fovy > 0)) {
@@ -72,7 +73,7 @@ static void planned_turn(view *v, const plan_view *p, const kit_scene *scene)
     for (int k = 0; k < 3; ++k) v->eye[k] = v->target[k] + p->nearer * e[k];
 }
 
-/* 1; 0: its package is not there. */
+/* Returns 1; 0 if the package of the scene is missing. */
 static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
 {
     view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
@@ -87,7 +88,7 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
     return stage_look(s, &v, SEED_WIDTH, SEED_HEIGHT, err) ? -1 : 1;
 }
 
-/* The picture of a choice, and its time; of light, what visibility leaves of an open surface's. */
+/* Draws a choice, and times it. The picture of light is visibility times the light of an unoccluded surface. */
 static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan *p, int wanted, kit_run *fixed,
                         int timed, kit_error *err)
 {
@@ -109,7 +110,7 @@ static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan 
         kit_run_close(&run);
         return 0;
     }
-    const double slow = kit_run_ms(&run); /* slow choices are timed as they were first drawn */
+    const double slow = kit_run_ms(&run); /* a slow choice keeps the time of its first draw */
     before = clock_draw(fixed);
     const double ms = p->cost < PLANNED_SLOW ? clock_draw(&run) : slow;
     after = clock_draw(fixed);
@@ -149,7 +150,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
 
 static int is_lit(int wanted) { return wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE; }
 
-/* Measures choices on a stage that is looked at, for what is wanted, and closes it. */
+/* Measures the choices for a wanted quantity on a stage that is looked at, and closes the stage. */
 static int stage_measure(planned_row *r, stage *s, const char *name, int wanted, int rays, int timed, kit_error *err)
 {
     kit_image truth;
@@ -162,7 +163,7 @@ static int stage_measure(planned_row *r, stage *s, const char *name, int wanted,
     return 0;
 }
 
-/* The k-th view, for what is wanted there. quick: fewer rays. 1; 0: its package is not there. */
+/* Measures the k-th view for a wanted quantity. quick: fewer rays. Returns 1; 0 if the view's package is missing. */
 static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error *err)
 {
     const plan_view *p = &planned_views[k];
@@ -216,10 +217,10 @@ static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
                : 0;
 }
 
-/* What is kept depends on the program and its tables. */
+/* A hash of the program, tables included, on which the kept results depend. */
 static uint64_t program(void) { return units_hash(KIT_HASH, "/proc/self/exe"); }
 
-/* A seed's rows, from build/cache where they are kept. */
+/* A seed's rows. They are read from build/cache if they are there. */
 static int seed_rows(planned_row rows[SEED_WANTED], int seed, uint64_t key, kit_error *err)
 {
     char path[128], *data;

@@ -1,4 +1,4 @@
-/* section.c - the runner of sections. Declared in section.h. */
+/* section.c - measures sections and shows them. Declared in section.h. */
 #include "lab/chart/section.h"
 #include <math.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ int section_about(FILE *record, stage *s, const char *text, int times, int strid
     return 0;
 }
 
-/* A picture as the demo shows it: exposed where it is of light. */
+/* A picture as the demo shows it. A picture of light is exposed. */
 static int seen_of(kit_image *out, const section *c, const stage *s, const kit_image *picture, kit_error *err)
 {
     if (c->seen) return c->seen(out, s, picture, err);
@@ -40,7 +40,7 @@ static int seen_of(kit_image *out, const section *c, const stage *s, const kit_i
     return 0;
 }
 
-/* The colours of differences, as report.js shows them beside a page_key. */
+/* Writes the colours of differences as a ramp, as report.js shows them beside a page_key. */
 static int legend(const char *out, kit_error *err)
 {
     kit_image ramp, zero;
@@ -52,7 +52,7 @@ static int legend(const char *out, kit_error *err)
     return failed;
 }
 
-/* One figure and, of a method, its difference to the truth, the first one shown. */
+/* Shows one picture and, if a method drew it, its difference to the truth, for the first picture that is shown. */
 static int figure(FILE *record, const options *o, const section *c, const stage *s, const pictured *p, const row *r,
                   const kit_image *truth, kit_error *err)
 {
@@ -70,7 +70,8 @@ static int figure(FILE *record, const options *o, const section *c, const stage 
     return legend(o->out, err);
 }
 
-/* The truth, what is given and the methods: whole, then in part. rows: methods, what is given. */
+/* Shows the truth, the given pictures and the methods' pictures: whole, then enlarged parts. rows: first those of
+   methods, then the given ones. */
 static int figures(FILE *record, const options *o, const section *c, const set *t, const stage *s, const row *rows,
                    const kit_image *picture, int methods, kit_error *err)
 {
@@ -100,7 +101,7 @@ static int figures(FILE *record, const options *o, const section *c, const set *
 
 /* ---- >>sets ------------------------------------------------------------------------------------------------------ */
 
-/* Rows with the section's own columns, if it has any, without the floor: how many are left. */
+/* Keeps the rows, with the section's own columns; if it has any, the floor's row goes. Returns how many are left. */
 static int kept_of(row *rows, int count, const section *c, const stage *s, const char *scene)
 {
     int kept = 0;
@@ -134,7 +135,7 @@ static int set_measure(FILE *record, const section *c, const set *t, const optio
     return kept;
 }
 
-static const section *now;                       /* whose sets unit_of_set measures */
+static const section *now;                       /* the section of unit_of_set's sets */
 
 static int unit_of_set(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
@@ -166,7 +167,7 @@ static const char *title_of(const section *c, int k)
     return c->sets[k].title;
 }
 
-/* The k-th unit, its rows into what was found. */
+/* Measures the k-th unit and keeps its rows in c->found[k]. */
 static int find(FILE *record, const section *c, const options *o, int k, kit_error *err)
 {
     static row rows[MOST_SET_ROWS];

@@ -1,5 +1,5 @@
-/* section.h - what a chart is made of: sections of sets. A set is a table of rows on one view; the runner measures it,
-   and makes a part of the page, lines of a csv and text of it. The demo's sets have their pictures whole, too. */
+/* section.h - a chart's sections. A section is a list of sets; a set is a table of rows on one view. section.c measures
+   sets, and makes a part of the page, lines of a csv and text of each. The demo also shows pictures at full size. */
 #ifndef LAB_SECTION_H
 #define LAB_SECTION_H
 
@@ -10,60 +10,60 @@ enum { MOST_SET_ROWS = 128 };
 
 typedef struct set set;
 typedef struct section section;
-/* What was measured: name is the scene's; row NULL: nothing. */
+/* The rows of a set or a unit. name: of its scene; row NULL: nothing was measured. */
 typedef struct found { char name[64]; row *row; int count; } found;
 
 struct set {
-    const char *title, *about;             /* title NULL: it stands under the heading of the set before it */
-    const void *see;                       /* what the section's open takes: a view, or a struct that begins with one */
-    const char *rows;                      /* a set of UNITS_ROWS */
-    int quick;                             /* chart --quick shows it, too */
-    const char *kind;                      /* of report.js' views; NULL: "rows" */
-    int phases;                            /* of the noise, that it is split by; 0: it is not */
-    /* instead of rows: fills them, returns how many; -1 = failed */
+    const char *title, *about;             /* title NULL: under the heading of the set before it */
+    const void *see;                       /* for the section's open: a view, or a struct that begins with one */
+    const char *rows;                      /* the name of a set of UNITS_ROWS */
+    int quick;                             /* 1: chart --quick shows it, too */
+    const char *kind;                      /* the view of report.js that shows it; NULL: "rows" */
+    int phases;                            /* phases that split error from noise; 0: no split */
+    /* Instead of rows: fills the rows and returns how many there are; -1 = failed. */
     int (*own)(FILE *record, const options *o, row *rows, kit_error *err);
-    int crop[MOST_CROPS][4];               /* of the demo's pictures, where the view's light has none */
+    int crop[MOST_CROPS][4];               /* of the demo's pictures, if the view's light has no crops */
 };
 
 struct section {
-    const char *name, *csv;                /* of its units; the csv's, NULL: the record alone has it */
-    const char *method;                    /* what --method has to ask for where a set is its own */
+    const char *name, *csv;                /* names of its units and of its csv; NULL: no csv, only the record */
+    const char *method;                    /* the method that --method must allow for a set with own */
     const set *sets;
     int count, width, height, stride, rounds;
-    int of[2];                             /* columns of rows that are not lit, that are: without the floor; 0: all */
+    int of[2];                             /* columns of unlit and lit rows, with no floor; 0: the rows' own */
     int (*open)(stage *s, const section *c, const set *t, kit_error *err);
-    /* NULL: measure_entries. Fills rows and pictures, returns how many pictures; given rows follow. */
+    /* Fills rows and pictures and returns how many pictures; given rows follow. NULL: measure_entries. */
     int (*measure)(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
                    kit_error *err);
-    int probe_times, probe_stride;         /* of section_about */
-    /* Of the demo. range: of differences; 0: small pictures alone. beside: what is given is pictured, too. */
+    int probe_times, probe_stride;         /* for section_about */
+    /* For the demo. range: of the differences; 0: small pictures alone. beside: given pictures are shown, too. */
     double range;
     int crop_times, beside;
     int (*seen)(kit_image *out, const stage *s, const kit_image *picture, kit_error *err);
 
-    /* Of a section without sets: how many units there are, each measured by unit. All are one table, of a view of
-       report.js', under a heading and what head writes; the units' own parts follow. */
-    const char *title, *kind, *parts;      /* parts: the heading of these, NULL: none */
+    /* A section without sets has this many units, each measured by unit. They make one table, shown by the view kind of
+       report.js below title and head; the units' own parts of the page follow. */
+    const char *title, *kind, *parts;      /* parts: the heading above these, NULL: none */
     int (*units)(const options *o);
     measuring *unit;
     void (*head)(FILE *record, const options *o);
-    void (*write)(FILE *csv, const options *o);      /* NULL: as table.h has it */
-    void (*text)(FILE *f);                           /* NULL: a table a set */
-    found *found;                                    /* room for what is measured */
+    void (*write)(FILE *csv, const options *o);      /* NULL: the csv of table.h */
+    void (*text)(FILE *f);                           /* NULL: a table for each set */
+    found *found;                                    /* room for the results */
 };
 
-/* How many units are asked for; how many rows of entries. */
+/* How many units are asked for. The next two measure the section and print its text. */
 int  section_units(const section *c, const options *o);
 int  section_chart(FILE *record, const section *c, const options *o, kit_error *err);
 void section_text(FILE *f, const section *c);
-/* A line a row of the fullest scene: the spread of its share over all. */
+/* Prints a line for each row of the fullest scene: the spread of its error over all scenes. */
 void section_spreads(FILE *f, const section *c, int count);
-/* The fullest scene; -1: there is none. The row of every scene that is like one; NULL: a scene has none such. */
+/* The scene with the most rows; -1: none. section_alike: every scene's row that is like the given one, else NULL. */
 int  section_fullest(const section *c, int count);
 void section_alike(const row **out, const section *c, int count, const row *like);
 
-/* What stands above a stage's pictures; with the truth's own error, by so many times its rays at every stride-th pixel;
-   0: not told. */
+/* Writes the text above a stage's pictures. If times is not 0, it has the truth's own error, measured with so many
+   times its rays at every stride-th pixel. */
 int  section_about(FILE *record, stage *s, const char *text, int times, int stride, kit_error *err);
 
 #endif

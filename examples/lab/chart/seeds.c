@@ -1,4 +1,4 @@
-/* seeds.c - scenes that nobody picked: each is measured as a unit of its own. Declared in chart.h. */
+/* seeds.c - the chart of scenes by seed, which nobody picked. Each scene is a unit. Declared in chart.h. */
 #include "lab/chart/chart.h"
 #include <math.h>
 #include <stdlib.h>
@@ -13,8 +13,8 @@
 
 enum { EACH = 3 * KIT_KINDS, MODELS = 7, SEEDS_QUICK = KIT_KINDS, DRAWN_FROM = 10000, DRAWN = 100000 };
 
-/* What a part measures: the first has the peers' rows, too. smaller: the picture's sides, so many times; stride: of its
-   truth; error: which of a lit row's, -1: the part is of visibility. */
+/* One measurement of a scene; the first also has the peers' rows. smaller: by this the picture's width and height are
+   divided; stride: of the truth; error: the index of a lit row's error that counts, -1: the part is of visibility. */
 typedef struct part { const char *what, *rows; int smaller, stride, bounce, error; } part;
 static const part parts[] = {
     { "visibility", "seeds",        1, SEED_STRIDE, 0, -1 },
@@ -31,7 +31,7 @@ typedef struct place { char name[64], path[128]; const char *set, *kind; int see
 
 static const char *commit_of(const options *o) { return o->commit ? o->commit : ""; }
 
-/* The i-th of those that nobody can have seen before the commit was made; of each kind as many. */
+/* The i-th seed drawn by the commit's hash, so that nobody saw its scene before. Each kind has as many. */
 static int drawn_seed(const options *o, int i)
 {
     const uint64_t hash = kit_hash(kit_hash(KIT_HASH, commit_of(o), strlen(commit_of(o))), &i, sizeof i);
@@ -46,7 +46,7 @@ static int model_of(place *p, int i)
     return stage_model(p->path, i);
 }
 
-/* The k-th scene; 0: there is none. */
+/* Finds the k-th scene; 0: there is none. */
 static int place_of(place *p, const options *o, int k)
 {
     const int each = o->seeds ? o->seeds : o->quick ? SEEDS_QUICK : EACH;
@@ -78,8 +78,8 @@ static int count_of(const options *o)
 
 /* ---- >>picture: the scene as its own light shows it -------------------------------------------------------------- */
 
-/* Radiance (channels R, G, B first) as a picture of [0, 1), the environment where there is no surface: three of four
-   pixels lie below a middle grey's double. */
+/* Maps radiance (channels R, G, B first) and the environment behind the surfaces to [0, 1). Three quarters of the
+   pixels come out below twice a middle grey. */
 static int tone_map(kit_image *picture, const stage *s, kit_error *err)
 {
     const size_t pixels = (size_t)picture->width * (size_t)picture->height;
@@ -97,14 +97,14 @@ static int tone_map(kit_image *picture, const stage *s, kit_error *err)
             bright[i] = fmaxf(bright[i], *v);
         }
     }
-    kit_middle(bright, pixels);                      /* sorts them */
+    kit_middle(bright, pixels);                      /* kit_middle sorts the values */
     const float by = -0.6f / fmaxf(bright[pixels * 3 / 4], 1e-6f);
     for (size_t i = 0; i < 3 * pixels; ++i) picture->data[i] = 1 - expf(by * picture->data[i]);
     free(bright);
     return 0;
 }
 
-/* out/SLUG.png, by the scene's environment and lights; the stage's light is none again after that. */
+/* Draws out/SLUG.png by the scene's environment and lights. Afterwards the stage has no light again. */
 static int own_picture(FILE *record, stage *s, const char *out, const char *slug, const char *note, kit_error *err)
 {
     kit_image picture;
@@ -128,7 +128,7 @@ static int small_picture(FILE *record, const stage *s, const options *o, const p
 
 /* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
 
-/* 1; 0: a package that it needs is not there, as record (NULL: nobody) is told. */
+/* Returns 1; 0 if a package that the scene needs is missing, which is written to record unless that is NULL. */
 static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_error *err)
 {
     kit_error why = { "" };
@@ -146,8 +146,8 @@ static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_
     return 1;
 }
 
-/* Ambient visibility's rows, the floor and the peers; its truth, for the caller to free. How many; 0 = the scene is
-   left out. */
+/* Measures the rows of ambient visibility, with the floor and the peers. The caller frees the truth. Returns how many
+   rows; 0 = the scene is left out. */
 static int visible_rows(FILE *record, const options *o, const place *p, row *rows, kit_image *truth, kit_error *err)
 {
     const view v = { .name = p->name, .path = p->path };
@@ -174,7 +174,7 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
             return -1;
         kit_image_free(&picture[i]);
     }
-    const int most = o->quick ? PEERS_QUICK : MOST_PEERS, behind = count + 1;     /* the floor */
+    const int most = o->quick ? PEERS_QUICK : MOST_PEERS, behind = count + 1;     /* behind the floor's row */
     const int peers = o->method ? 0 : peers_measure(rows + behind, &s, 0, most, NULL, err);
     for (int i = 0; i < peers; ++i) rows[behind + i].of |= OF_PEER;
     mottled_close(&m);
@@ -184,8 +184,8 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
     return peers < 0 ? -1 : behind + peers;
 }
 
-/* Rows of a small picture, of light by the scene's environment, or of its one bounce; behind light's those of the true
-   visibility and of the truth's noise. */
+/* Measures rows of a small picture, of light by the scene's environment, or of its one bounce. Light has two rows more:
+   true visibility times light, and the truth's noise. */
 static int part_rows(const options *o, const place *p, const part *of, row *rows, kit_image *visible, kit_error *err)
 {
     const lit light = { .rays = SEED_RAYS, .exposure = 1, .bounce = of->bounce };
@@ -200,7 +200,7 @@ static int part_rows(const options *o, const place *p, const part *of, row *rows
         stage_close(&s);
         return count;
     }
-    const double open = rows[count].error[of->error];               /* measure left the row of nothing there */
+    const double open = rows[count].error[of->error];               /* measure has put the row of no occlusion there */
     if (!of->bounce
         && (stage_dim(visible, &s, err) || score_named(&rows[count++], &s, "true visibility", visible, err)))
         return -1;
@@ -235,7 +235,7 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
 
 /* ---- >>ahead ----------------------------------------------------------------------------------------------------- */
 
-/* What a process measures goes into the units that are kept. */
+/* Each process puts its results into the units that are kept. */
 typedef struct ahead_of { const options *o; row *rows; page unseen; } ahead_of;
 
 static int begin(void *of, kit_error *err)
@@ -262,7 +262,7 @@ int seeds_ahead(const options *o, kit_error *err)
 
 /* ---- >>csv ------------------------------------------------------------------------------------------------------- */
 
-/* The fit of one gain and exponent that is best over all scenes; -1: it is not a peer's row. */
+/* The index of the gain and exponent that fit best over all scenes; -1: the row is not a peer's. */
 static int fit_of_all(const row *const *rows, int count, const row *like)
 {
     int best = -1;
@@ -284,7 +284,7 @@ static void figure_csv(FILE *f, double v)
     else fprintf(f, ",%.6g", v);
 }
 
-/* fit: of all scenes; -1: there is none. */
+/* fit: the index of the fit over all scenes; -1: none. */
 static void row_csv(FILE *f, const place *p, const row *r, int fit)
 {
     const int is_lit = !(r->of & OF_AO), peer = (r->of & OF_PEER) != 0;
@@ -301,7 +301,7 @@ static void row_csv(FILE *f, const place *p, const row *r, int fit)
 
 static found found_seeds[MOST_SEEDS];
 
-/* Row by row, of each on all scenes. */
+/* Writes one row after the other, each on all scenes. */
 static void write_csv(FILE *csv, const options *o)
 {
     const int count = count_of(o), first = section_fullest(&seeds_chart, count);
@@ -322,7 +322,7 @@ static void write_csv(FILE *csv, const options *o)
 
 /* ---- >>section --------------------------------------------------------------------------------------------------- */
 
-static int scenes;                               /* that were asked for, there or not */
+static int scenes;                               /* that were asked for, also those that are missing here */
 
 static int units(const options *o)
 {

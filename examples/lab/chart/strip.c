@@ -1,15 +1,15 @@
-/* strip.c - history: one frame alone, and the last of sixteen, beside the truth. Declared in chart.h. */
+/* strip.c - the demo of history: one frame alone and the last of sixteen, beside the truth. Declared in chart.h. */
 #include "lab/chart/chart.h"
 #include <math.h>
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
-/* A camera that comes round to the demo's own in SETTLED frames. */
+/* A camera turns for SETTLED frames and ends at the demo's own view. */
 static const char strip_method[] = "hsao-fast", strip_settings[] = "history=1";
-static const double STRIP_DEGREES = 0.2;    /* a frame */
-enum { STRIP_DRAWN = 4 };                   /* times, each with noise of its own */
+static const double STRIP_DEGREES = 0.2;    /* for each frame */
+enum { STRIP_DRAWN = 4 };                   /* how often, each time with other noise */
 
-/* One frame alone and the last of SETTLED, beside the truth; each is drawn STRIP_DRAWN times. */
+/* One frame alone, [0], and the last of SETTLED frames, [1]; each is drawn STRIP_DRAWN times. */
 typedef struct strip { kit_image picture[2][STRIP_DRAWN]; double rmse[2], share[2], noise[2]; } strip;
 
 static int strip_draw(strip *t, stage *s, kit_error *err)
@@ -39,7 +39,7 @@ static int strip_draw(strip *t, stage *s, kit_error *err)
     return 0;
 }
 
-/* The root of a pixel's variance over the drawings, its mean over the pixels. */
+/* The mean over the pixels of the root of a pixel's variance over the drawings. */
 static double strip_noise(const kit_image picture[STRIP_DRAWN], const kit_image *frame)
 {
     const float *z = kit_image_channel(frame, "Z");
@@ -59,7 +59,7 @@ static double strip_noise(const kit_image picture[STRIP_DRAWN], const kit_image 
     return sqrt(noise / (double)pixels);
 }
 
-/* Error, its mean over the drawings, and noise. */
+/* Fills in the error, as a mean over the drawings, and the noise. */
 static int strip_score(strip *t, const stage *s, kit_error *err)
 {
     for (int g = 0; g < 2; ++g) {
@@ -75,7 +75,7 @@ static int strip_score(strip *t, const stage *s, kit_error *err)
     return 0;
 }
 
-/* The middle of a picture, each pixel twice. */
+/* The middle of a picture, enlarged twice. */
 static int enlarged(kit_image *out, const kit_image *picture, kit_error *err)
 {
     const int left = picture->width / 4, top = picture->height / 2;

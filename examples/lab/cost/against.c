@@ -1,4 +1,4 @@
-/* against.c - a run beside the rows of another. Declared in against.h. */
+/* against.c - compares a run of make cost with the csv of another run. Declared in against.h. */
 #include "lab/cost/against.h"
 #include <math.h>
 #include <string.h>
@@ -13,7 +13,7 @@ static int read_then(csv *then, const char *path, kit_error *err)
     return then->rows ? 0 : kit_fail(err, "%s: cannot be read, or has no rows", path);
 }
 
-/* The row of the whole chain that a row of now is of; -1: there is none, or that row is of a pass. */
+/* Finds the row of a whole chain in then that belongs to a row of now; -1: there is none, or that row is of a pass. */
 static int row_of(const csv *then, const csv *now, int row)
 {
     for (int i = 0; i < then->rows && !*csv_text(now, row, "pass"); ++i)
@@ -23,7 +23,7 @@ static int row_of(const csv *then, const csv *now, int row)
     return -1;
 }
 
-/* Prints a quantity as it was and is, where both are known; whether it is another. */
+/* Prints an old and a new value, if both are known and differ by at least least. Returns whether they do. */
 static int show(const csv *now, int row, const csv *then, int was_row, const char *key, double least)
 {
     const double is = csv_number(now, row, key), was = csv_number(then, was_row, key);
@@ -54,7 +54,7 @@ int against_show(const csv *now, const char *path, kit_error *err)
     return 0;
 }
 
-/* A chain beside its row. Returns how much is wrong with it. */
+/* Compares a chain with its recorded row and prints each fault. Returns how many there are. */
 static int check_chain(const csv *now, int row, const csv *then, int was, const char *path)
 {
     const char *family = csv_text(now, row, "family"), *chain = csv_text(now, row, "chain");

@@ -1,17 +1,18 @@
-/* against.h - what has changed since a csv was written. */
+/* against.h - compares the costs of a run with those of an older csv. */
 #ifndef COST_AGAINST_H
 #define COST_AGAINST_H
 
 #include "lab/measure/csv.h"
 #include "kit/kit.h"
 
-/* What cost-record keeps of the lines of whole chains. */
+/* The columns that cost-record keeps of the rows of whole chains. */
 #define RECORDED_KEYS "family,driver,chain,pass,busy,calm,weighed,weighed 16x4,transcendental_busy,vgprs"
 
-/* Prints the chains that have changed beside those of a file that write_costs wrote, or of what is recorded. */
+/* Prints the chains whose costs differ from those in a csv of write_costs, or in recorded.csv. */
 int against_show(const csv *now, const char *path, kit_error *err);
-/* For CI: prints what is wrong, a line each, and returns how much that is: spilled registers, scratch; more than 128
-   registers, unless the file has them; 3 % more instructions than the file has. Of another compiler nothing is. */
+/* For CI: prints a line for each fault and returns how many there are. Faults are spilled registers; scratch memory;
+   more than 128 registers, unless the file has as many; 3 % more instructions than the file has. A file of another
+   compiler has no faults. */
 int against_check(const csv *now, const char *path, kit_error *err);
 
 #endif

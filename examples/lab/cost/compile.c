@@ -1,5 +1,5 @@
-/* compile.c - what a pipeline needs beside its texts is read from their SPIR-V: bindings, attributes, targets. Declared
-   in compile.h. */
+/* compile.c - compiles pipelines. The bindings, attributes and targets that a pipeline needs are read from its SPIR-V.
+   Declared in compile.h. */
 #include "lab/cost/compile.h"
 #include <glslang/Include/glslang_c_interface.h>
 #include <glslang/Public/resource_limits_c.h>
@@ -90,7 +90,7 @@ int spirv_triangle(spirv *s, kit_error *err)
     return spirv_make(s, "#version 450\nvoid main() { gl_Position = vec4(0); }\n", VK_SHADER_STAGE_VERTEX_BIT, 0, err);
 }
 
-/* ---- what a pipeline needs --------------------------------------------------------------------------------------- */
+/* ---- the needs of a pipeline ------------------------------------------------------------------------------------- */
 
 enum { MOST_BINDINGS = 64, MOST_GROUPS = 4, MOST_PLACES = 16 };
 
@@ -126,7 +126,7 @@ static void add_binding(needs *n, spvc_compiler of, const spvc_reflected_resourc
         (VkDescriptorSetLayoutBinding) { binding, kind, count, stage, NULL };
 }
 
-/* The widest format of a number, a vector or a matrix' column; half: of floats that of 16 bits. */
+/* The widest format of a scalar, a vector or a matrix' column; half: 16 bits for a float. */
 static VkFormat format_of(spvc_type type, int half)
 {
     static const VkFormat formats[3][4] = {
@@ -321,7 +321,7 @@ static int take_parts(const compiler *c, pipeline *p, VkPipeline made, kit_error
         executable *e = &p->part[p->parts++];
         e->stages = about[i].stages;
         if (take_executable(c, e, &which)) return kit_fail(err, "RADV shows no assembly");
-        e->waves = e->waves * c->least_lanes / 64;          /* told as waves of the least size */
+        e->waves = e->waves * c->least_lanes / 64;          /* counted as waves of the smallest size */
     }
     return 0;
 }

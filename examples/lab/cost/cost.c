@@ -1,21 +1,9 @@
-/* cost.c - what passes cost a GPU, by the instructions that Mesa's compiler makes of them. Nothing is executed, and no
-   time is measured: milliseconds are a model's (model.h).
+/* cost.c - the cost of passes on a GPU, from the instructions that Mesa's compiler makes of them. Nothing is executed,
+   and no time is measured: milliseconds come from a model (model.h). --help lists the options.
 
-      build/cost                     every chain that build/glsl-text --chains names, for RDNA 2 and GCN, also into
-                                     report/cost.csv
-      build/cost CHAIN .. FILE ..    those: a name, what build/glsl-text --chain takes, FILE.frag or FILE.frag.spv with
-                                     its vertex stage beside it; with their passes
-        --family navi10,vega10       other families: names of RADV_FORCE_FAMILY
-        --against FILE.csv           what has changed since a run
-        --check, --record            beside examples/lab/cost/recorded.csv, for CI; writes that file anew
-      build/cost --shares            how many waves enter what they may leave out, on scenes by seed (0 to 11):
-                                     examples/lab/cost/shares.csv anew, in three minutes; needs GL, of a CPU or a GPU
-      build/cost --plan              what the plan's choices cost on a Radeon RX 6800: report/plan-cost.csv
-      build/cost --peers             effects of other libraries (make peers): also into report/cost-peers.csv
-
-   busy: whatever an `if` guards is executed; calm: inside loops no body of an `if` that a wave may skip is; weighed: by
-   those shares, of waves of 8x8 texels, where the camera turns. Status 1: --check found something. Where RADV or its
-   null device is missing, a line says so, status 0. */
+   busy: the body of every `if` is executed; calm: inside loops no body is executed that a wave may skip; weighed: each
+   such body counts by the share of waves of 8x8 texels that enter it while the camera turns. Status 1: --check found a
+   fault. If RADV or its null device is missing, a line says so, and the status is 0. */
 #include "lab/cost/against.h"
 #include "lab/cost/entered.h"
 #include "lab/cost/peers.h"
@@ -34,7 +22,7 @@ typedef struct asked { const char *against; int check, record, plan, peers, some
 
 static work work_of_all;
 
-/* Names with commas between; RADV ends the program on one that it does not know. */
+/* Takes names with commas between them. Unknown names are refused here, as RADV would end the program. */
 static int take_families(work *w, char *names, kit_error *err)
 {
     static const char known[] = " polaris10 vega10 raven navi10 navi21 vangogh gfx1100 ";
@@ -129,11 +117,30 @@ static int run(work *w, const asked *a, kit_error *err)
     return a->against ? against_show(&now, a->against, err) : 0;
 }
 
+static const char usage[] = "cost [options] [CHAIN ..] [FILE.frag ..] | cost --shares | --plan | --peers";
+static const kit_help_entry help[] = {
+    { NULL, "Compiles passes by Mesa's compiler for GPUs that need not be here, counts their instructions, and "
+            "estimates milliseconds at 1920x1080. Nothing is executed. Without arguments it prints every chain that "
+            "build/glsl-text --chains names, and writes report/cost.csv and report/index.html." },
+    { "CHAIN", "A chain, as build/glsl-text --chain takes it, with each of its passes: hsao,samples=12." },
+    { "FILE.frag", "A shader of yours, or FILE.frag.spv, with its vertex stage beside it." },
+    { "--family NAME,..", "GPU families, by their names in RADV_FORCE_FAMILY [navi21,polaris10]." },
+    { "--against F.csv", "Prints what has changed since the run that wrote this file." },
+    { "--check", "Compares with examples/lab/cost/recorded.csv. The status is 1 if something has changed." },
+    { "--record", "Writes examples/lab/cost/recorded.csv anew." },
+    { "--shares", "Measures how many waves enter the branches that they may skip, on the scenes by seed 0 to 11, and "
+                  "writes examples/lab/cost/shares.csv anew, in three minutes. It draws with GL." },
+    { "--plan", "Estimates the planner's choices on an RX 6800: report/plan-cost.csv." },
+    { "--peers", "Estimates the effects that make peers has brought: report/cost-peers.csv." },
+    { NULL, NULL }
+};
+
 int main(int argc, char **argv)
 {
     kit_error err = { "" };
     asked a = { .against = NULL };
     work *w = &work_of_all;
+    if (kit_help(argc, argv, usage, help)) return 0;
     kit_streams_open();
     if (argc == 2 && !strcmp(argv[1], "--shares")) {
         const int failed = write_shares(&err);

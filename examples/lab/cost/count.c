@@ -1,6 +1,6 @@
-/* count.c - scalar instructions are interpreted, as far as what they read is known, so that a loop of constant count is
-   walked as often as it runs. Registers hold numbers, or are unknown; masks of lanes are known, unknown, or unknown
-   but not empty, which is what a block that is entered may take for granted. */
+/* count.c - counts instructions by walking through them. Scalar instructions are executed as far as their operands are
+   known, so that a loop with a constant count is walked as often as it runs. A register holds a known number or an
+   unknown one. A mask of lanes is known, unknown, or unknown but not empty: in a block a wave has a lane or more. */
 #include "lab/cost/count.h"
 #include <ctype.h>
 #include <stdint.h>
@@ -21,14 +21,15 @@ typedef struct instruction {
     char name[32];
     class class;
     operand operand[MOST_OPERANDS];
-    int operands, target, loop;             /* target: an instruction's number; loop: where the innermost one begins */
-    int bytes;                              /* that a fetch brings to a lane */
+    int operands, target, loop;             /* target: an instruction's index; loop: innermost loop's first
+                                               instruction */
+    int bytes;                              /* bytes that a fetch brings to a lane */
 } instruction;
 
 typedef struct program {
     instruction *at;
     int count, labels;
-    int *label, *last;                      /* the first instruction of a block; of a loop, by its begin, the last */
+    int *label, *last;                      /* each block's first instruction; each loop's last, by its first */
 } program;
 
 static int starts(const char *text, const char *with) { return !strncmp(text, with, strlen(with)); }
@@ -78,7 +79,7 @@ static class class_of(const char *name)
     return SCALAR;
 }
 
-/* What a fetch brings to a lane: four bytes a channel of dmask, half of it where two share a register. */
+/* The bytes that a fetch brings to a lane: four for each channel of dmask, or two if d16 packs two into a register. */
 static int fetched_bytes(const char *line, size_t length)
 {
     const char *mask = strstr(line, "dmask:"), *half = strstr(line, " d16");
@@ -136,21 +137,21 @@ static int read_program(program *p, const char *text, const char **bad)
     p->last = calloc((size_t)p->count + 1, sizeof *p->last);
     for (int i = 0; i < p->count; ++i)
         if (p->at[i].target >= 0 && p->at[i].target <= i) p->last[p->at[i].target] = i;
-    for (int i = 0; i < p->count; ++i)                      /* outer loops begin before inner ones */
+    for (int i = 0; i < p->count; ++i)                      /* an outer loop begins before its inner loops */
         for (int k = i; p->last[i] && k <= p->last[i]; ++k) p->at[k].loop = i;
     return 0;
 }
 
 /* ---- scalar values ----------------------------------------------------------------------------------------------- */
 
-/* SOME: a mask that is not 0. The number of what is not known tells it from others: it is the same after a move. */
+/* SOME: a mask that is not 0. An unknown value has a number, too, by which it is recognised after a move. */
 typedef enum known { UNKNOWN, KNOWN, SOME } known;
 typedef struct value { known known; uint64_t number; } value;
 typedef struct machine {
     known known[REGISTERS + LANES];
     uint32_t number[REGISTERS + LANES];
     value condition;
-    uint64_t *names;                        /* given to values so far */
+    uint64_t *names;                        /* the next number for an unknown value */
 } machine;
 
 static value unknown(machine *m) { return (value) { UNKNOWN, ++*m->names }; }
@@ -178,7 +179,7 @@ typedef enum doing {
     MOST, LEAST_UNSIGNED, MOST_UNSIGNED, MAGNITUDE, SHIFT_ADD, WHOLE, SELECT, COMPARE
 } doing;
 
-/* What is told of the result by the condition code. */
+/* How an instruction sets the condition code by its result. */
 typedef enum tells { KEEPS, CARRY, NOT_ZERO } tells;
 
 static const struct operation { const char *name; doing doing; tells tells; } operations[] = {
@@ -220,7 +221,7 @@ static uint64_t calculate(doing what, const char *name, uint64_t a, uint64_t b)
     }
 }
 
-/* s_cmp_ge_i32, v_cmpx_ge_i32_e32; floats are not compared. */
+/* Compares by an instruction such as s_cmp_ge_i32 or v_cmpx_ge_i32_e32. Comparisons of floats are left unknown. */
 static value compare(const char *name, value a, value b)
 {
     const char *relation = strchr(name + 2, '_') + 1;
@@ -238,8 +239,8 @@ static value compare(const char *name, value a, value b)
     return v;
 }
 
-/* Masks of which only so much is known: 0 and anything is 0, and so is what is taken from itself; what is not empty
-   stays so under "or". */
+/* Combines masks that are known in part: 0 "and" anything is 0, a mask without itself is 0, and a mask that is not
+   empty stays so under "or". */
 static value combine(machine *m, doing what, const char *name, value a, value b, uint64_t all)
 {
     const int a_is_0 = a.known == KNOWN && !a.number, b_is_0 = b.known == KNOWN && !b.number;
@@ -262,7 +263,7 @@ static value combine(machine *m, doing what, const char *name, value a, value b,
 
 static value told(value v) { return (value) { v.known == UNKNOWN ? UNKNOWN : KNOWN, v.known == SOME || v.number }; }
 
-/* A scalar instruction; one that is not in the table makes what it writes unknown. */
+/* Executes a scalar instruction. One that is not in the table makes its result unknown. */
 static void execute(machine *m, const instruction *t)
 {
     const int wide = strstr(t->name, "_b64") != NULL || strstr(t->name, "_u64") != NULL;
@@ -309,9 +310,9 @@ static void execute(machine *m, const instruction *t)
         !starts(t->name, "s_load") && !starts(t->name, "s_buffer_load")) m->condition = unknown(m);
 }
 
-/* A vector instruction: what it writes is unknown, but for a choice between two numbers, of which the busy walk takes
-   the greater and the calm one the lesser, and comparisons with such a one: so compilers write how often a loop runs
-   that some pixels leave out. */
+/* Executes a vector instruction. Its result is unknown, with two exceptions: a choice between two numbers, of which the
+   busy walk takes the greater and the calm one the lesser, and comparisons with that number. Compilers write so how
+   often a loop runs if some pixels leave it out. */
 static void execute_vector(machine *m, const instruction *t, way how)
 {
     const operand exec = { REGISTER, EXEC, 2, 0 };
@@ -340,14 +341,14 @@ typedef struct walk {
     const program *program;
     walk_report *report;
     way how;
-    int assumed;                            /* turns of loops whose end is not known */
-    int *body, bodies;                      /* calm: of branches, the number of the body that they skip, from 1 on */
-    int enters;                             /* calm: the body that is entered; 0: none is, and each gets its number */
-    int *turns;                             /* by the instruction that begins a loop */
-    char *endless;                          /* likewise: its end is not known */
-    char *met;                              /* a branch is reported once */
-    long left;                              /* instructions until it is given up */
-    int again;                              /* a loop turned out to be endless: all is walked again */
+    int assumed;                            /* turns assumed for loops with an unknown end */
+    int *body, bodies;                      /* for CALM: the number, from 1 on, of the body that each branch skips */
+    int enters;                             /* for CALM: the body that is entered; 0: none is, and bodies get numbers */
+    int *turns;                             /* turns of each loop, by its first instruction */
+    char *endless;                          /* 1 for a loop with an unknown end, by its first instruction */
+    char *met;                              /* 1 for a branch that was reported */
+    long left;                              /* the walk fails after so many more instructions */
+    int again;                              /* a loop turned out to be endless: the walk starts again */
 } walk;
 
 static void count_one(counts *c, const instruction *t)
@@ -369,7 +370,7 @@ void counts_add(counts *to, const counts *c, double times)
     for (size_t i = 0; i < sizeof *c / sizeof(double); ++i) (&to->vector)[i] += times * (&c->vector)[i];
 }
 
-/* Whether a branch's condition holds: 1, 0, or -1: not known. */
+/* Whether a branch's condition holds: 1, 0, or -1 if that is not known. */
 static int condition_of(machine *m, const instruction *t)
 {
     const operand exec = { REGISTER, EXEC, 2, 0 }, vcc = { REGISTER, VCC, 2, 0 };
@@ -383,8 +384,8 @@ static int condition_of(machine *m, const instruction *t)
 
 static int walk_on(walk *w, machine *m, counts *c, int from, int stop);
 
-/* An `if` of a condition that all lanes share and that is not known, at a branch to an else: both ways are walked, and
-   the dearer one (or the cheaper one) is kept. Where both meet, or -1: one of them leaves. */
+/* At a branch to an else whose condition is the same for all lanes, and unknown: walks both sides, and keeps the more
+   expensive one (CALM: the cheaper one). Returns where both sides meet; if one leaves the loop, the other is kept. */
 static int walk_both(walk *w, machine *m, counts *c, int at, int join)
 {
     const instruction *t = &w->program->at[at];
@@ -403,8 +404,8 @@ static int walk_both(walk *w, machine *m, counts *c, int at, int join)
     return join;
 }
 
-/* Whether a branch over a body, whose condition is not known, is taken. Branches that a calm wave does not come to, as
-   to what is left where an `if` is not entered whole, have no number and skip nothing. */
+/* Whether a branch over a body is taken if its condition is unknown. Only branches that a calm wave reaches have a
+   number. The others, such as those inside a body that is not entered, skip nothing. */
 static int skips_body(walk *w, int at)
 {
     if (w->how != CALM || w->program->at[at].loop < 0) return 0;
@@ -412,7 +413,7 @@ static int skips_body(walk *w, int at)
     return w->body[at] && w->body[at] != w->enters;
 }
 
-/* The next instruction after a branch. */
+/* Returns the index of the next instruction after a branch. */
 static int walk_branch(walk *w, machine *m, counts *c, int at)
 {
     const program *p = w->program;
@@ -424,7 +425,7 @@ static int walk_branch(walk *w, machine *m, counts *c, int at)
     some.known = SOME;
     if (holds >= 0) return holds ? t->target : at + 1;
     const int leaves = t->loop >= 0 && t->target > p->last[t->loop];
-    if (leaves || t->target <= at) {                        /* as long as it is not known, a loop goes on */
+    if (leaves || t->target <= at) {                        /* with an unknown condition a loop goes on */
         if (on_lanes) put(m, &exec, some);
         return t->target <= at ? t->target : at + 1;
     }
@@ -437,7 +438,7 @@ static int walk_branch(walk *w, machine *m, counts *c, int at)
     return skips ? t->target : at + 1;
 }
 
-/* From an instruction until one that is not walked any more: its number. */
+/* Walks from an instruction to stop, or to the end of the program. Returns the index at which the walk ended. */
 static int walk_on(walk *w, machine *m, counts *c, int from, int stop)
 {
     const program *p = w->program;
@@ -445,7 +446,7 @@ static int walk_on(walk *w, machine *m, counts *c, int from, int stop)
     while (at != stop && at < p->count && w->left-- > 0 && !w->again) {
         const instruction *t = &p->at[at];
         if (p->last[at] && t->loop == at) {
-            if (previous < at) w->turns[at] = 0;            /* entered, not turned */
+            if (previous < at) w->turns[at] = 0;            /* the loop is entered, not turned */
             if (++w->turns[at] > MOST_TURNS) { w->endless[at] = 1; w->again = 1; break; }
             if (w->endless[at] && w->turns[at] > w->assumed) { previous = at; at = p->last[at] + 1; continue; }
         }
@@ -461,7 +462,7 @@ static int walk_on(walk *w, machine *m, counts *c, int from, int stop)
     return at;
 }
 
-/* From the first instruction to the end. */
+/* Walks from the first instruction to the end. */
 static int walk_all(walk *w, counts *c, way how, int enters, const int turns[2])
 {
     const int count = w->program->count;

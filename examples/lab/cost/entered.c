@@ -1,18 +1,17 @@
-/* entered.c - passes drawn with their text edited, so that each texel tells which bodies it enters. Declared in
-   entered.h. */
+/* entered.c - draws passes with a shader edited so that texels tell which bodies they enter. Declared in entered.h. */
 #include "lab/cost/entered.h"
 #include "lab/against/look.h"
 #include "lab/cost/share.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { SEEDS = 12, MOST_BITS = 24 };        /* a float holds as many bits */
+enum { SEEDS = 12, MOST_BITS = 24 };        /* MOST_BITS: that a float holds exactly */
 
-/* A picture; the last of LOOK_FRAMES of a camera that stands, or turns. */
+/* ONCE: a single frame; STANDS, TURNS: the last of LOOK_FRAMES frames of a camera that stands or turns. */
 typedef enum moves { ONCE, STANDS, TURNS } moves;
 static const char *const cameras[] = { "", "stands", "turns" };
 
-/* What is drawn, and bodies that are asked for in turn. */
+/* A method to be drawn, and the bodies that are measured one after the other. */
 typedef struct drawn { const char *method, *settings; moves camera; int body[2], count; } drawn;
 
 static const drawn all[] = {
@@ -35,8 +34,8 @@ enum { DRAWN = (int)(sizeof all / sizeof *all) };
 
 /* ---- the text ---------------------------------------------------------------------------------------------------- */
 
-/* The fragment stage of a pass as one that tells of a body: at its line, and in a main of its own. For the caller to
-   free. */
+/* Edits the fragment stage of a pass: it tells, at the body's line and in a main function of its own, whether the body
+   is entered. The caller frees it. */
 static char *telling(const char *text, const body *b, const kit_pass *p, kit_error *err)
 {
     const char *line = strstr(text, b->line), *rest = strchr(text, '\n') + 1;
@@ -51,7 +50,7 @@ static char *telling(const char *text, const body *b, const kit_pass *p, kit_err
     return to;
 }
 
-/* Compiled once. */
+/* Compiles such a program, or finds the one compiled before. */
 static GLuint program_of(const kit_pass *p, const body *b, const char *fragment, kit_error *err)
 {
     static const GLenum stages[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
@@ -67,7 +66,7 @@ static GLuint program_of(const kit_pass *p, const body *b, const char *fragment,
     return program;
 }
 
-/* The first pass of a run that has a body; NULL: there is none, or its program is none. */
+/* The first pass of a run that has the body; NULL: no pass has it, or its program failed. */
 static kit_pass *pass_of(kit_run *run, const body *b, GLuint *program, kit_error *err)
 {
     for (int i = 0; i < run->passes; ++i) {
@@ -83,7 +82,7 @@ static kit_pass *pass_of(kit_run *run, const body *b, GLuint *program, kit_error
 
 /* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
-/* half, steps: of the pass. */
+/* half, steps: settings of the pass. */
 typedef struct found { double share[TILES], waves[TILES]; int half, steps; } found;
 static found results[DRAWN][2][SEEDS];
 
@@ -102,7 +101,7 @@ static int read(found *f, const kit_pass *p, const body *b, kit_error *err)
     return failed ? kit_fail(err, "what texels tell cannot be read, or is more than %d bits", MOST_BITS) : 0;
 }
 
-/* Draws a frame once a body: the next frame's history is worth nothing then. */
+/* Draws a frame for each body. As an output is overwritten, the next frame's history is useless. */
 static int ask(found of[][SEEDS], int seed, kit_run *run, const drawn *d, kit_error *err)
 {
     for (int i = 0; i < d->count; ++i) {

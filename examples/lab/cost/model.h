@@ -1,20 +1,20 @@
-/* model.h - milliseconds of named devices, by a model that can be worked out by hand. None of it is measured. */
+/* model.h - milliseconds on named devices, by a model that can be worked out by hand. None of them is measured. */
 #ifndef COST_MODEL_H
 #define COST_MODEL_H
 
-/* Of a device: what its maker prints of it, and how fast its parts are.
+/* A device: figures that its maker publishes, and rates of its parts.
 
-     alu      vector instructions, a lane and clock each; transcendental ones at a quarter of that, beside the others
-              where a device has a unit for them (apart), else in their place
-     tex      fetches a clock and compute unit, of 8 bytes at most; of 16 bytes (sebbbi's perftest)
-     hide     the time of one wave, which waits 320 cycles for each fetch, over the waves that share its place
+     alu      one vector instruction a lane and clock; transcendental ones take four clocks, at the same time if the
+              device has a unit for them (apart), else in addition
+     tex      fetches a clock and compute unit, up to 8 bytes; of 16 bytes (measured by sebbbi's perftest)
+     hide     the time of one wave, which waits 320 cycles for each fetch, divided by the waves that share its SIMD
      memory   each byte once
 
    A pass takes as long as the slowest of the four. */
 typedef struct device {
-    const char *name, *family;             /* family: whose instructions it executes */
-    int units, simds, lanes;               /* compute units; of each its SIMDs, and the lanes of one */
-    double gigahertz, gigabytes;           /* the clock at best; of memory, a second */
+    const char *name, *family;             /* family: the GPU family of its instructions */
+    int units, simds, lanes;               /* compute units; SIMDs of each unit; lanes of each SIMD */
+    double gigahertz, gigabytes;           /* the highest clock; the memory's rate a second */
     double fetches, wide_fetches;
     int apart;
 } device;
@@ -22,7 +22,8 @@ typedef struct device {
 extern const device devices[];
 extern const int devices_count;
 
-/* What a pass asks for: of a pixel, but waves, which share a SIMD, and bytes, which are of the pass. */
+/* The work of a pass. Instructions and fetches are of a pixel; waves are those that share a SIMD; bytes are of the
+   pass. */
 typedef struct load {
     double pixels, vector, transcendental, fetches, wide_fetches, bytes;
     int waves;
@@ -31,7 +32,7 @@ typedef struct load {
 typedef enum bound { ALU, TEX, HIDE, MEMORY, BOUNDS } bound;
 extern const char *const bound_names[BOUNDS];
 
-/* Milliseconds; *which: what takes so long. */
+/* Returns milliseconds; *which: the part that takes longest. */
 double model(const device *d, const load *l, bound *which);
 
 #endif

@@ -1,4 +1,4 @@
-/* passes.c - a chain's steps become passes with the bytes that they move, and programs. Declared in passes.h. */
+/* passes.c - makes passes and programs of a chain's steps, and the bytes that each pass moves. Declared in passes.h. */
 #include "lab/cost/passes.h"
 #include "tools/glsl/chains.h"
 #include <stdlib.h>
@@ -9,7 +9,7 @@ const int sizes[SIZES][2] = { { 1280, 720 }, { WIDTH, HEIGHT }, { 2560, 1440 }, 
 
 /* ---- programs ---------------------------------------------------------------------------------------------------- */
 
-/* The number of a program with these texts, which it takes over, and formats. */
+/* The index of the program with these shaders and formats. It takes the shaders over. */
 int work_program(work *w, cost_program *p, kit_error *err)
 {
     p->key = kit_hash(KIT_HASH, p->format, sizeof p->format);
@@ -49,7 +49,7 @@ static int program_of_step(work *w, const ssgi_gl_step *s, kit_error *err)
 
 /* ---- bytes ------------------------------------------------------------------------------------------------------- */
 
-/* Of a texel of yours; 0: it is small, and stays in the caches. */
+/* Bytes a texel of one of the program's own inputs; 0: a small texture, which stays in the caches. */
 static int bytes_of_yours(const ssgi_gl_input *in, const ssgi_gl_desc *d)
 {
     static const int bytes[SSGI_GL_YOURS] = {
@@ -68,8 +68,8 @@ static int layers_of(const ssgi_gl_step *steps, int count, int texture)
     int layers = 1;
     for (int i = 0; i < count; ++i)
         for (int k = 0; k < steps[i].outputs; ++k)
-            if (steps[i].output[k].texture == texture && steps[i].output[k].slices > 1)
-                layers = steps[i].output[k].slices;
+            if (steps[i].output[k].texture == texture && steps[i].output[k].layers > 1)
+                layers = steps[i].output[k].layers;
     return layers;
 }
 
@@ -92,7 +92,7 @@ static void add_pass(cost_chain *c, int program, const ssgi_gl_step *steps, int 
     }
 }
 
-/* Of all textures that the steps write. */
+/* The bytes of all textures that the steps write. */
 static double target_bytes(const ssgi_gl_step *steps, int count)
 {
     double bytes = 0;
@@ -102,7 +102,7 @@ static double target_bytes(const ssgi_gl_step *steps, int count)
             const ssgi_gl_output *o = &steps[i].output[k];
             if (o->texture < 0 || o->texture >= MOST_STEPS || seen[o->texture]++) continue;
             bytes += (double)steps[i].width * steps[i].height * o->format->bytes * (o->kept ? 2 : 1) *
-                     (o->slices > 1 ? o->slices : 1);
+                     (o->layers > 1 ? o->layers : 1);
         }
     return bytes;
 }
@@ -129,7 +129,7 @@ int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *e
     ssgi_gl_chain described = *chain;
     cost_chain *c = work_chain(w, name, err);
     if (!c) return -1;
-    for (int i = SIZES; i-- > 0;) {                         /* the steps of WIDTH and HEIGHT are needed last */
+    for (int i = SIZES; i-- > 0;) {                         /* WIDTH x HEIGHT comes last, as it is used below */
         const int *size = sizes[(i + 2) % SIZES];
         described.width = size[0];
         described.height = size[1];
@@ -205,7 +205,7 @@ static void make_spirv(void *context, int i)
     p->seconds = compile_seconds() - start;
 }
 
-/* What is compiled first takes long, for glslang then reads what GLSL has built in: that is no program's time. */
+/* The first compilation is slow, as glslang then parses GLSL's built-in functions. That time is no program's. */
 static void warm_up(const work *w)
 {
     for (int i = 0; i < 2 && w->programs; ++i) {
@@ -216,11 +216,11 @@ static void warm_up(const work *w)
     }
 }
 
-/* Of waves as they are; a share that is not recorded is 1. */
+/* Fills in the weighed ways. A body without a recorded share counts whole. */
 static void weigh_ways(const work *w, const cost_program *p, compiled *to, const counted *c)
 {
     int of[BODIES];
-    const int count = p->text[1] ? bodies_of(of, p->text[1]) : 0;           /* the fragment stage */
+    const int count = p->text[1] ? bodies_of(of, p->text[1]) : 0;           /* text[1]: the fragment stage */
     to->way[BUSY] = c->busy;
     to->way[CALM] = c->calm;
     for (int t = SQUARE; t <= FLAT; ++t) {

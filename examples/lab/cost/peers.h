@@ -4,7 +4,7 @@
 
 #include "lab/cost/passes.h"
 
-/* Has peers.mjs (make peers) write down the passes of each effect at WIDTH x HEIGHT, and adds these as chains. */
+/* Runs peers.mjs (make peers), which writes down each effect's passes at WIDTH x HEIGHT, and adds them as chains. */
 int peers_add(work *w, kit_error *err);
 
 #endif

@@ -1,9 +1,9 @@
-/* plan.c - chains of the plan's choices, and their milliseconds over the unit's. Declared in plan.h. */
+/* plan.c - chains of the plan's choices, and their milliseconds over those of the unit. Declared in plan.h. */
 #include "lab/cost/plan.h"
 #include "kit/kit_gl.h"
 #include "lab/cost/show.h"
 
-/* Chain 0 is the unit; number i of those behind it is of choice[i]. */
+/* Chain 0 is the unit. Chain number i is of choice[i]. */
 static int choice[MOST_CHAINS];
 
 int plan_add(work *w, kit_error *err)
@@ -34,7 +34,7 @@ void plan_write(FILE *f, const work *w)
             const cost_pass *p = &c->pass[k];
             bound which;
             if (!p->vertices) ms += pass_ms(w, p, 0, WEIGHED, &devices[0], &which);
-            else /* The plan adds splats by their number, which the scene tells. */
+            else /* The plan adds splats by their number, which depends on the scene. */
                 fprintf(f, "# %d: %.3g a texel of splats on each pixel, %.3g a surfel\n", choice[i],
                         splat_ms(w, p, 0, WEIGHED, &devices[0], pixels, 0, &which) / unit,
                         splat_ms(w, p, 0, WEIGHED, &devices[0], 1, pixels, &which) / unit);

@@ -1,11 +1,11 @@
-/* share.c - which bodies a text has; what lanes do together. Declared in share.h. */
+/* share.c - which bodies a shader has, and which of them a wave's lanes enter together. Declared in share.h. */
 #include "lab/cost/share.h"
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Of a slice's sides one comes there after the other. */
+/* A pixel comes to these lines alternately for the two sides of a slice. */
 #define GATHERED(condition) "told[times & 1] |= uint(" condition ") << uint(times >> 1); ++times; shown = true;"
 
 const body bodies[BODIES] = {

@@ -1,5 +1,5 @@
-/* share.h - bodies: what an `if` of the GLSL guards, which a wave leaves out where no lane of it enters; how many waves
-   enter, and what a pass costs by that. */
+/* share.h - bodies. A body is guarded by an `if` of the GLSL, and a wave skips it if none of its lanes enters it. How
+   many waves enter a body, and the cost of a pass by that. */
 #ifndef COST_SHARE_H
 #define COST_SHARE_H
 
@@ -7,38 +7,38 @@
 #include "lab/measure/csv.h"
 #include "ssgi_gl.h"
 
-/* line: no other line of a text has it; tells: goes before it, GLSL that sets told, a bit for each time that a pixel
-   comes to the line, and shown, whether something is seen there. times: how often it comes there, 0: directions times
-   steps, with each side. */
+/* line: a line that occurs once in a shader. tells: GLSL that goes before the line; it sets a bit of told each time
+   that a pixel comes to the line and enters the body, and sets shown if a surface is seen there. times: how often a
+   pixel comes to the line; 0: directions times steps, for each of two sides. */
 typedef struct body { const char *name, *line, *tells; int times; } body;
 enum { COVER, COVER_SOLID, SECOND, SENT, UNSETTLED, CHANGED, BODIES };
 extern const body bodies[BODIES];
 
-/* A stage of a pass, for the caller to free; NULL: it has none, or there is no memory. */
+/* The shader of a stage of a pass, which the caller frees; NULL: there is no such stage, or no memory. */
 char *text_of(const ssgi_gl_desc *d, int stage);
 
-/* Those that a text has, in its order; how many. */
+/* The bodies that a shader has, in its order. Returns how many. */
 int bodies_of(int of[BODIES], const char *text);
 
-/* Texels of a wave. */
+/* The texels of a wave. */
 typedef struct tile { const char *name; int width, height; } tile;
 enum { SQUARE, FLAT, SMALL, TILES };
 extern const tile tiles[TILES];
 
-/* What a texel tells: of two sides the bits, 1 where it entered; where nothing is seen the second is -1 less them. */
+/* One texel's bits for two sides, 1 if it entered. Without a surface the second is -1 less its bits. */
 typedef struct told { float entered[2]; } told;
 
-/* How often a wave enters, of the times that it comes to the line, on the mean over those waves of which a texel at
-   least shows something. waves: how many of all these are. */
+/* How often a wave enters, of the times that it comes to the line: the mean over the waves of which at least one texel
+   shows a surface. waves: the share of such waves. */
 double share_of(const told *texel, int width, int height, const tile *t, int times, double *waves);
 
-/* The share that was recorded (shares.csv) of the gather most like a pass: of its size, by the number of its steps;
-   where a camera both stands and turns, of the latter. NAN: there is none. */
+/* The recorded share (shares.csv) of the gather most like a pass: of its resolution first, then by the number of its
+   samples; rows of a camera that stands do not count. NAN: there is none. */
 double share_recorded(const csv *shares, int which, const ssgi_gl_desc *d, const tile *t);
 
-/* What a wave of a pass executes on the mean. share: of each body that its text has. Where the compiler left as many
-   bodies as the text has, or both sides' one after the other, each counts by its own; where the text has one, all that
-   may be left out goes by that; where it has none, all counts. -1: bodies cannot be told apart, all counts. */
+/* The mean work of a wave of a pass. share: of each body in its shader. If the compiler left as many bodies as the
+   shader has, or twice as many for the two sides, each counts by its own share. If the shader has one body, all that
+   may be skipped counts by its share. If it has none, all counts. -1: bodies cannot be told apart, and all counts. */
 int weigh(counts *c, const counted *of, const double *share, int count);
 
 #endif

@@ -1,14 +1,14 @@
-/* show.c - tables of what passes and chains cost. Declared in show.h. */
+/* show.c - tables of the costs of passes and chains. Declared in show.h. */
 #include "lab/cost/show.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
 
-/* Of a chain in a family; counts a pixel of the picture. Splats are not among them, as their number is the scene's. */
+/* A chain's sums for a family, with counts for a pixel. Splats are left out, as their number depends on the scene. */
 typedef struct sum {
     counts way[WAYS];
-    double bytes_in, bytes_out;             /* a pixel */
+    double bytes_in, bytes_out;             /* for a pixel */
     int vgprs, waves, spilled, scratch, splats;
 } sum;
 
@@ -61,16 +61,16 @@ double chain_ms(const work *w, const cost_chain *c, int family, way how, const d
     return ms;
 }
 
-/* The family whose instructions a device executes, as far as it is compiled for; -1: it is not. */
+/* The family whose instructions a device executes; -1: nothing was compiled for it. */
 static int family_of(const work *w, const device *d)
 {
     for (int i = 0; i < w->families; ++i) if (!strcmp(w->family[i], d->family)) return i;
     return -1;
 }
 
-/* ---- what is not in the csv -------------------------------------------------------------------------------------- */
+/* ---- facts that are not in the csv ------------------------------------------------------------------------------- */
 
-/* Loops whose end no instruction tells, once a pass. */
+/* Prints the loops whose end no instruction tells, once for each pass. */
 static void show_assumptions(const work *w)
 {
     for (int i = 0; i < w->programs; ++i) {
@@ -106,7 +106,8 @@ void show_notes(const work *w, int passes)
 
 /* ---- csv --------------------------------------------------------------------------------------------------------- */
 
-/* Programs of a chain, each once; bytes of their texts; milliseconds until they are compiled for a family. */
+/* How many programs a chain has, each once; the bytes of their shaders; the milliseconds that a family compiles
+   them. */
 static int programs_of(const work *w, const cost_chain *c, int family, size_t *text, double *ms)
 {
     int count = 0;
@@ -124,7 +125,7 @@ static int programs_of(const work *w, const cost_chain *c, int family, size_t *t
     return count;
 }
 
-/* Whether a chain is cheaper by instructions and by the model, in every family and on every device, in every way. */
+/* Whether chain a is cheaper than b by instructions and by the model: every family, every device, every way. */
 static int is_cheaper(const work *w, const cost_chain *a, const cost_chain *b)
 {
     for (int family = 0; family < w->families; ++family) {
@@ -139,7 +140,7 @@ static int is_cheaper(const work *w, const cost_chain *a, const cost_chain *b)
     return 1;
 }
 
-/* 0: ambient occlusion, 1: light; -1: not ranked: what it costs depends on how many objects or surfels there are. */
+/* 0: ambient occlusion, 1: light; -1: not ranked, as its cost depends on the number of objects or surfels. */
 static int kind_of(const cost_chain *c)
 {
     int light = 0;
@@ -152,8 +153,8 @@ static int kind_of(const cost_chain *c)
 
 static double busy_instructions(const work *w, const cost_chain *c) { return sum_of(w, c, 0).way[BUSY].vector; }
 
-/* The first, by instructions, of those of its kind that a chain is cheaper than, and than all that have more: by
-   instructions and by the model, in every family and on every device, in every way. "": there is none. */
+/* The name of a chain that makes this one look cheap: this one is cheaper (see is_cheaper) than it and than all of its
+   kind with more instructions. Of such chains it has the fewest instructions. "": there is none. */
 static const char *than_of(const work *w, const cost_chain *c)
 {
     const cost_chain *than = NULL;
@@ -232,7 +233,7 @@ void show_costs(const csv *c, int passes)
     for (int k = 0; k < devices_count; ++k)
         snprintf(keys + strlen(keys), sizeof keys - strlen(keys), ",%s %s", devices[k].name, way_names[WEIGHED]);
     if (passes) strcat(keys, ",bound");
-    csv_put(stdout, c, keys, passes ? NULL : "bound", 1); /* chains have none */
+    csv_put(stdout, c, keys, passes ? NULL : "bound", 1); /* chains have no bound */
     puts("");
     csv_put(stdout, c, "family,chain,programs,text_bytes,compile_ms,targets_720,targets_1080,targets_1440,targets_2160,"
                        "splats,cheaper_than", "bound", 1);

@@ -1,4 +1,4 @@
-/* bands.c - bands of the difference between two pictures. Declared in bands.h. */
+/* bands.c - splits the difference between two pictures into bands of frequency. Declared in bands.h. */
 #include "lab/measure/bands.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,9 +9,9 @@ const bands bands_unknown = { { UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN }, UNKNOWN };
 
 /* ---- >>blur ------------------------------------------------------------------------------------------------------ */
 
-enum { REACH = 3, MOST_TAPS = 64 };        /* sigmas that a Gaussian ends at; taps on one side of the widest */
+enum { REACH = 3, MOST_TAPS = 64 };        /* sigmas at which a Gaussian ends; taps on one side of the widest one */
 
-/* Along rows, and turned: two of these are a blur. What lies outside is 0. */
+/* Blurs along rows and transposes; two such calls are a whole blur. Outside of the picture is 0. */
 static void blur_turned(float *to, const float *from, int width, int height, float sigma)
 {
     const int taps = (int)ceilf(REACH * sigma);
@@ -30,7 +30,7 @@ static void blur_turned(float *to, const float *from, int width, int height, flo
         }
 }
 
-/* between: room for a picture. */
+/* between: room for one picture. */
 static void blur(float *to, const float *from, float *between, int width, int height, float sigma)
 {
     blur_turned(between, from, width, height, sigma);
@@ -39,7 +39,7 @@ static void blur(float *to, const float *from, float *between, int width, int he
 
 /* ---- >>shaded ---------------------------------------------------------------------------------------------------- */
 
-/* What a pixel shows, in view space; 0: nothing. */
+/* The position that a pixel shows, in view space; returns 0 if it shows none. */
 static int seen_at(double p[3], const stage *s, int x, int y)
 {
     const float *projection = s->gbuffer.projection;
@@ -112,7 +112,7 @@ void shaded_free(shaded *m)
 
 /* ---- >>bands ----------------------------------------------------------------------------------------------------- */
 
-/* The mean over the pixels of m of (a - b) (c - d). */
+/* The mean of (a - b) (c - d) over the pixels of m. */
 static double product_of(const float *a, const float *b, const float *c, const float *d, const shaded *m)
 {
     const size_t all = (size_t)m->width * (size_t)m->height;
@@ -122,7 +122,7 @@ static double product_of(const float *a, const float *b, const float *c, const f
     return sum / (double)m->pixels;
 }
 
-/* a - b on the pixels of m, then that blurred by each sigma, into BANDS + 1 levels; room: for BANDS + 2 pictures. */
+/* Fills BANDS + 1 levels: a - b on the pixels of m, then that blurred by each sigma. room: for BANDS + 2 pictures. */
 static void levels_of(float *level[BANDS + 1], float *room, const shaded *m, const float *a, const float *b)
 {
     const size_t all = (size_t)m->width * (size_t)m->height;

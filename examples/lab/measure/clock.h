@@ -1,18 +1,19 @@
-/* clock.h - what drawing takes, beside a reference that is drawn in the same rounds. */
+/* clock.h - times drawing, beside a reference that is drawn in the same rounds. */
 #ifndef LAB_CLOCK_H
 #define LAB_CLOCK_H
 
 #include "lab/measure/stage.h"
 
-extern const entry clock_reference;            /* what times are relative to */
-enum { CHART_ROUNDS = 5, QUICK_ROUNDS = 3 };   /* at the most */
+extern const entry clock_reference;            /* times are divided by this one's */
+enum { CHART_ROUNDS = 5, QUICK_ROUNDS = 3 };   /* at most */
 
-/* A timed draw; milliseconds. */
+/* Draws with timing on; returns milliseconds. */
 double clock_draw(kit_run *run);
-/* Times what once(of, i) draws, all drawn before, in ms: each once a round between two drawings of the reference, whose
-   mean its time is divided by; medians. What is slow, or agrees with itself, sits out late rounds. */
+/* Times once(of, i), which draws number i and returns milliseconds; each was drawn before. In a round each is drawn
+   once, between two drawings of the reference, and its time is divided by the mean of theirs. The result is the median.
+   Slow rows, and rows whose ratios agree, are left out of late rounds. */
 int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, int count, int rounds, kit_error *err);
-/* Times runs, and closes them. Where there is light, ambient visibility's time includes the lights' passes. */
+/* Times runs, and closes them. On a lit stage the time of ambient visibility includes the passes of lights. */
 int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_error *err);
 
 #endif

@@ -1,4 +1,4 @@
-/* csv.c - tables read, and shown. Declared in csv.h. */
+/* csv.c - reads and prints tables. Declared in csv.h. */
 #include "lab/measure/csv.h"
 #include <errno.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 
 const char *csv_folder = "report";
 
-/* The next cell from *in, its quotes taken off, at *out; returns what ended it. */
+/* Copies the next cell from *in to *out without quotes; returns the character that ended it. */
 static char cell(char **in, char **out)
 {
     int quoted = 0;
@@ -88,7 +88,7 @@ static int is_empty(const csv *c, int column)
     return row > c->rows;
 }
 
-/* The columns of some keys; one that is not there is left out; of what is to be read one without a cell, too. */
+/* The columns of some keys. A key without a column is left out, and if aligned, a column without any cell, too. */
 static int columns_of(int column[MOST_COLUMNS], const csv *c, const char *keys, int aligned)
 {
     int count = 0;
@@ -101,7 +101,7 @@ static int columns_of(int column[MOST_COLUMNS], const csv *c, const char *keys, 
     return count;
 }
 
-/* last: nothing stands behind it. */
+/* last: the row's last cell. */
 static void put_cell(FILE *f, const csv *c, int row, int column, int aligned, int last)
 {
     const char *is = c->cell[row * c->columns + column];

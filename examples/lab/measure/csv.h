@@ -1,25 +1,25 @@
-/* csv.h - tables: cells by row and key. */
+/* csv.h - tables, whose cells are found by row and key. */
 #ifndef LAB_CSV_H
 #define LAB_CSV_H
 
 #include <stdio.h>
 
-typedef struct csv { char *text, **cell; int rows, columns; } csv;      /* cell[0 .. columns - 1]: the heads */
+typedef struct csv { char *text, **cell; int rows, columns; } csv;      /* the first cells are the heads */
 
-extern const char *csv_folder;             /* where they are */
+extern const char *csv_folder;             /* the folder of the files */
 
-/* A file of the folder, or of an absolute path. No rows: there is no such table. One that is none ends the program.
-   Kept until that ends. */
+/* Reads a file of csv_folder, or of an absolute path, and keeps it until the program ends. No rows: there is no such
+   file. A file that is no table ends the program. */
 csv         csv_read(const char *name);
-/* Of a text from malloc, which it takes over; name: for what is said of one that is none. */
+/* Makes a table of a text from malloc, which it takes over. name: for the message if it is no table. */
 csv         csv_of(char *text, const char *name);
-const char *csv_text(const csv *c, int row, const char *key);           /* "" = there is none */
-double      csv_number(const csv *c, int row, const char *key);         /* NAN = there is none */
+const char *csv_text(const csv *c, int row, const char *key);           /* "" = no such cell */
+double      csv_number(const csv *c, int row, const char *key);         /* NAN = no such number */
 
-/* A cell of any text. */
+/* Writes a text as a cell. */
 void        csv_quote(FILE *f, const char *text);
-/* The columns of some keys, with commas between, of those rows that have nothing in the column empty (NULL: of all).
-   aligned: to be read; else as csv. */
+/* Writes the columns of keys, which are separated by commas, of the rows whose cell in the column empty has no text
+   (NULL: of all rows). aligned: padded for reading; else as csv. */
 void        csv_put(FILE *f, const csv *c, const char *keys, const char *empty, int aligned);
 
 #endif

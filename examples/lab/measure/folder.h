@@ -1,12 +1,12 @@
-/* folder.h - where outputs go and what is kept between runs lies. */
+/* folder.h - the folders of outputs and of files that are kept between runs. */
 #ifndef LAB_FOLDER_H
 #define LAB_FOLDER_H
 
 #include "kit/kit.h"
 
-#define FOLDER_CACHE "build/cache"         /* truth, and what an interrupted chart has measured */
+#define FOLDER_CACHE "build/cache"         /* truths, and results of an interrupted chart */
 
-/* Makes a folder, and those above it, where they are not there. */
+/* Makes a folder and those above it, unless they are there. */
 int folder_make(const char *path, kit_error *err);
 
 #endif

@@ -1,14 +1,14 @@
-/* halved.c - drawn at half the width and height, brought to full size. Declared in halved.h. */
+/* halved.c - draws at half the width and height, and enlarges to full size. Declared in halved.h. */
 #include "lab/measure/halved.h"
 
-/* The second nearest of count texels to a pixel of twice as many; the nearest is number i / 2. */
+/* Of count texels, the second nearest to pixel i of a picture twice as wide. The nearest is texel i / 2. */
 static int beside(int i, int count)
 {
     const int to = i / 2 + (i % 2 ? 1 : -1);
     return to < 0 ? 0 : to < count ? to : count - 1;
 }
 
-/* A picture of half the width and height brought to full size: 9 3 3 1 sixteenths. */
+/* Enlarges a picture to twice the width and height, bilinearly: weights of 9, 3, 3, 1 sixteenths. */
 static int doubled(kit_image *out, const kit_image *small, kit_error *err)
 {
     if (kit_image_new(out, 2 * small->width, 2 * small->height, "Y", err)) return -1;
@@ -22,7 +22,7 @@ static int doubled(kit_image *out, const kit_image *small, kit_error *err)
     return 0;
 }
 
-/* Drawn once, read, scored. */
+/* Draws, reads and scores one entry. */
 static int halved_entry(row *r, kit_run *run, kit_image *picture, stage *s, stage *half, const sized *e, kit_error *err)
 {
     kit_image small;

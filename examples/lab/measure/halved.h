@@ -1,13 +1,13 @@
-/* halved.h - rows drawn at half the width and height beside whole ones: ambient visibility, brought to full size. */
+/* halved.h - rows of ambient visibility drawn at half the width and height, and enlarged, beside rows at full size. */
 #ifndef LAB_HALVED_H
 #define LAB_HALVED_H
 
 #include "lab/measure/measure.h"
 
-/* half: of the picture's width and height, brought to full size bilinearly, which is not in its time */
+/* half: drawn at half the width and height, and enlarged bilinearly, for which no time is counted */
 typedef struct sized { entry entry; int half; } sized;
-/* Each drawn once, scored, timed; sides of the stage's picture even. pictures: NULL, or an empty one an entry, of full
-   size. */
+/* Draws each entry once, scores it and times it. The stage's width and height must be even. pictures: NULL, or an empty
+   one for each entry, of full size. */
 int halved_entries(row *rows, stage *s, const sized *entries, int count, int rounds, kit_image *pictures,
                    kit_error *err);
 

@@ -1,9 +1,9 @@
-/* measure.c - rows of methods on a stage: drawn, scored, timed. Declared in measure.h. */
+/* measure.c - draws, scores and times rows of methods on a stage. Declared in measure.h. */
 #include "lab/measure/measure.h"
 #include <math.h>
 #include <string.h>
 
-/* Opens and draws what is timed later; picture: for the caller to free. */
+/* Opens and draws a run, which is timed later. The caller frees the picture. */
 static int measure_entry(row *r, kit_run *run, kit_image *picture, stage *s, const entry *e, int phases, kit_error *err)
 {
     *r = row_blank(0, s->name, e->label, e->method, e->settings);
@@ -19,7 +19,7 @@ static int measure_given(row *r, stage *s, const given *g, int phases, kit_error
     *r = row_blank(0, s->name, g->label, g->method, "");
     if (score_picture(r, s, &g->picture, err) || (phases && score_phases(r, s, NULL, phases, &g->picture, err)))
         return -1;
-    if (!strcmp(r->label, "floor") && FLOOR_STRIDE > 1) r->score.ssim = (double)NAN;      /* has no neighbours */
+    if (!strcmp(r->label, "floor") && FLOOR_STRIDE > 1) r->score.ssim = (double)NAN;      /* no neighbours */
     return 0;
 }
 

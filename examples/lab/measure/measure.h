@@ -5,12 +5,12 @@
 #include "lab/measure/clock.h"
 #include "lab/measure/score.h"
 
-/* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm
-   up, with a history SETTLED frames (that picture is scored), over so many phases of its noise (0: one, and no split is
-   known), then timed; rounds 0: not timed, and closed at once. pictures: NULL, or an empty one an entry. */
+/* Fills a row for each entry, then one for each given picture: count + s->givens in all. Each entry is drawn once to
+   warm up, or SETTLED frames with history; that picture is scored. phases: drawn with so many phases of noise, which
+   split error from noise (0: no split). rounds: of timing; 0: none. pictures: NULL, or an empty one for each entry. */
 int measure_entries(row *rows, stage *s, const entry *entries, int count, int rounds, int phases, kit_image *pictures,
                     kit_error *err);
-/* Times alone: no picture, no truth; of a stage that is loaded and looked at. */
+/* Times entries on a stage that is loaded and looked at, without pictures and truth. */
 int measure_times(row *rows, stage *s, const entry *entries, int count, int rounds, kit_error *err);
 
 #endif

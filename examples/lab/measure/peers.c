@@ -1,10 +1,10 @@
-/* peers.c - what people would pick instead of this library, as rows beside its own. Declared in peers.h.
+/* peers.c - effects of other libraries, as rows beside this library's. Declared in peers.h.
 
-   peers.mjs (make peers puts it, and the packages that it drives, under build/peers) writes what each effect draws for
-   a view, as GLSL and numbers; here it is drawn on the stage's own depth and normals, timed and scored as the library's
-   methods are, and scored again after the best fit of two numbers a picture: what no gain, power or intensity of theirs
-   could better. Timed is all that makes the ambient visibility, their denoisers too; not what only multiplies the
-   picture by it. */
+   peers.mjs writes the draws of each effect for a view, as GLSL and numbers (make peers puts it, and the packages that
+   it drives, under build/peers). Here these are drawn on the stage's own depth and normals, and timed and scored as the
+   library's methods are. They are scored once more after the best fit of two numbers to each picture, which no gain,
+   power or intensity of theirs could better. The time is that of all passes that make the ambient visibility, denoisers
+   included, without those that only multiply the picture by it. */
 #include "lab/measure/peers.h"
 #include <math.h>
 #include <stdlib.h>
@@ -26,8 +26,7 @@ typedef struct peer_pass {
 } peer_pass;
 typedef struct peer { char label[64], settings[128]; peer_pass pass[PEER_PASSES]; int passes, result; } peer;
 typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
-/* folder: the script's, of this process alone. whole: the frame, also where the stage's has nothing since there is no
-   truth. */
+/* folder: of the script's files, for this process alone. whole: the whole frame, also the pixels without a truth. */
 typedef struct peer_set {
     peer         peer[MOST_PEERS];
     peer_texture texture[PEER_TEXTURES];
@@ -40,9 +39,9 @@ static const char *missing = "";
 
 const char *peers_missing(void) { return missing; }
 
-/* ---- >>reading: the view for the script, and what it made of it -------------------------------------------------- */
+/* ---- >>reading: the view for the script, and the script's results ------------------------------------------------ */
 
-/* 0 = none, and missing says why. */
+/* Runs the script. 0 = there are no peers, and missing says why. */
 static int peers_write(const peer_set *set, const stage *s, int quick, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
@@ -81,7 +80,7 @@ static void peer_uniform(GLuint program, const char *type, const char *name, int
     else glUniform1i(at, (int)values[0]);
 }
 
-/* Of N.vert and N.frag. */
+/* Makes a pass's programs from N.vert and N.frag. */
 static int peer_programs(peer_pass *pass, const peer_set *set, int number, kit_error *err)
 {
     char path[96], *text[2] = { NULL, NULL };
@@ -124,7 +123,7 @@ static int peer_texture_read(peer_texture *t, const peer_set *set, const told *i
     return t->name ? 0 : kit_fail(err, "peers' manifest.csv, line %d: no such texture", is->row + 2);
 }
 
-/* The view depth times a number, and what stands where there is none. */
+/* Makes a texture of view depth times a number, with a given value for pixels without a surface. */
 static int peer_depth_read(peer_texture *t, const kit_image *frame, const told *is, kit_error *err)
 {
     const int width = frame->width, height = frame->height;
@@ -209,7 +208,7 @@ static int peer_line_read(peer_set *set, const told *is, kit_error *err)
     return 0;
 }
 
-/* Textures 0..3 of the set are the caller's. */
+/* Reads the manifest. Textures 0 to 3 of the set are the caller's. */
 static int peers_read(peer_set *set, kit_error *err)
 {
     const char *was = csv_folder;
@@ -237,7 +236,7 @@ static void peer_pass_draw(const peer_pass *pass, GLuint program)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/* Milliseconds of all passes. */
+/* Draws all passes of a peer; returns milliseconds. */
 static double peer_draw(void *set, int i)
 {
     const peer *p = &((const peer_set *)set)->peer[i];
@@ -267,12 +266,12 @@ static int peer_picture(kit_image *out, const peer_set *set, const peer *p, cons
     return failed;
 }
 
-/* ---- >>fit: the best that two numbers can do --------------------------------------------------------------------- */
+/* ---- >>fit: the best fit of two numbers -------------------------------------------------------------------------- */
 
-/* of visibility from -1 to 1; the truth's sums in each bin */
+/* a histogram of visibility from -1 to 1; in each bin the sum of the truth */
 typedef struct histogram { double count[PEER_BINS], truth[PEER_BINS], squares, pixels; } histogram;
 
-/* Of a v^b, or of 1 - a (1 - v)^b. */
+/* The RMSE of a v^b, or of 1 - a (1 - v)^b. */
 static double fit_rmse(const histogram *h, int open, const double log_ab[2])
 {
     const double a = exp(log_ab[0]), b = exp(log_ab[1]);
@@ -319,8 +318,9 @@ static double fit_best(const histogram *h)
     return best;
 }
 
-/* Both of a row, whose share and RMSE are known. Gains are from .61 to 1.65, exponents from .37 to 2.7, in steps that
-   are even in their logarithms: of all scenes together the best of these is looked for. */
+/* Fills in the relative error after a picture's own best fit, and after each of a table of fits, from which the best
+   one over all scenes is taken later. Gains are from .61 to 1.65, exponents from .37 to 2.7, in even logarithmic
+   steps. */
 static void fit_row(row *r, const histogram *h)
 {
     const double share = r->share / r->score.rmse;
@@ -340,7 +340,7 @@ static void peers_free(peer_set *set)
         glDeleteProgram(set->peer[i].pass[k].program);
         glDeleteFramebuffers(1, &set->peer[i].pass[k].framebuffer);
     }
-    for (int i = 1; i < set->textures; ++i) glDeleteTextures(1, &set->texture[i].name);     /* 0 is the stage's depth */
+    for (int i = 1; i < set->textures; ++i) glDeleteTextures(1, &set->texture[i].name);     /* 0: the stage's depth */
     kit_image_free(&set->whole);
     set->peers = set->textures = 0;
     glActiveTexture(GL_TEXTURE0);
@@ -348,7 +348,7 @@ static void peers_free(peer_set *set)
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-/* Depth, normals as three.js writes them, a white picture, and normals as they are. */
+/* The inputs: depth, normals as three.js writes them, a white picture, and normals without an encoding. */
 static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
 {
     static const char *const names[3] = { "N.X", "N.Y", "N.Z" };
@@ -386,7 +386,7 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
     snprintf(what, sizeof what, "%s: peers", s->name);
     kit_progress(what, 0);
     failed = kit_gbuffer_read(&set.whole, &s->gbuffer, err) || peers_inputs(&set, s, err) || peers_read(&set, err);
-    snprintf(command, sizeof command, "rm -r %s", set.folder);       /* all of it has been read */
+    snprintf(command, sizeof command, "rm -r %s", set.folder);       /* the files have been read */
     if (system(command)) fprintf(stderr, "report: note: %s: cannot be removed\n", set.folder);
     count = set.peers < most ? set.peers : most;
     for (int i = 0; i < count && !failed; ++i) {
@@ -394,7 +394,7 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
         histogram h;
         row *r = &rows[i];
         *r = row_blank(0, s->name, set.peer[i].label, set.peer[i].label, set.peer[i].settings);
-        r->bytes = 0;                          /* nobody counts theirs */
+        r->bytes = 0;                          /* the bytes that peers move are not counted */
         peer_draw(&set, i);
         failed = peer_picture(&picture, &set, &set.peer[i], s, err);
         if (failed) break;

@@ -5,23 +5,22 @@
          finds them
       node peers.mjs OUT [quick] < view     quick: fewer
 
-   Their own code drives them: each effect is rendered with a renderer that only writes down what it is told to draw, so
-   that every text, uniform, kernel, noise texture, target and clear colour is theirs. Reads a view from stdin, numbers
-   only: width, height, near, far, radius, its projection and world-to-view matrices (column-major), and the view depth
-   of the middle of the pixels. Writes into OUT: N.vert and N.frag (without a version line, for GLSL 330 and ES 300),
-   N.cost.vert and N.cost.frag (the same for Vulkan, whole numbers among their uniforms as constants: a loop's end is
-   known then), N.f32 (texels) and manifest.csv. A line there is of a kind; numbers are textures, in order of
-   appearance, after 0, window depth, 1, view normals as n/2 + 1/2, 2, the picture, and 3, view normals as they are, 0
-   where there are none:
+   Their own code drives them: each effect is rendered with a renderer that only writes its draws down, so that every
+   text, uniform, kernel, noise texture, target and clear colour is theirs. Reads a view from stdin, as numbers: width,
+   height, near, far, radius, its projection and world-to-view matrices (column-major), and the median view depth.
+   Writes into OUT: N.vert and N.frag (without a version line, for GLSL 330 and ES 300); N.cost.vert and N.cost.frag
+   (the same for Vulkan, with integer uniforms as constants, so that loops have known ends); N.f32 (texels);
+   manifest.csv. Textures have numbers. The first four are the caller's: 0 window depth, 1 view normals as n/2 + 1/2,
+   2 the picture, 3 view normals, 0 without a surface. The others follow as they appear. Lines of manifest.csv:
 
       texture    width, height, format (as GL numbers them), linear, repeat, file: its texels
-      depth      the distance along the view times scale, empty where there is none; linear
+      depth      a texture of the distance along the view times scale; empty: its value without a surface; linear
       peer       name, settings
-      pass       number: N.vert and N.frag; shown: it only shows what is there already, and is no cost of the effect;
-                 values: the colour that clears it; targets; width, height, bytes_in and bytes_out of all its texels
-      sampler    name, number: of the pass above, a texture
-      uniform    type, name, count, values of the pass above
-      result     number: ambient visibility, red */
+      pass       number: N.vert and N.frag; shown: it only shows a finished result, and is no cost of the effect;
+                 values: the clear colour; targets; width, height, bytes_in and bytes_out of all its texels
+      sampler    name, number: a texture of the pass above
+      uniform    type, name, count, values, of the pass above
+      result     number: the texture of ambient visibility, red */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -56,7 +55,7 @@ mkdirSync(out, { recursive: true });
 
 Logger.LogLevels = Logger.ErrorLogLevel;
 
-/* Numbers that are the same each time: some kernels and noise are made by Math.random. */
+/* A random sequence that is the same each time: some kernels and noise are made by Math.random. */
 let state;
 Math.random = () => (state = (state * 48271) % 2147483647) / 2147483647;
 
@@ -70,11 +69,11 @@ const flat = value => value.toArray            ? value.toArray()
                                                : [ Number(value) ];
 
 const numbers = new Map(), bytes = new Map([ [ R8, 1 ], [ RGBA16F, 8 ], [ RGBA32F, 16 ] ]);
-/* Of textures their sides and the bytes of all texels. */
+/* The width, height and bytes of each texture. */
 const sized = [ 4, 8, 8, 8 ].map(texel => ({ width, height, bytes : texel * width * height }));
 let programs = 0;
 
-/* of: what it is, asked for once. */
+/* A texture's number. A new texture is described by of(texture) and written. */
 function number(texture, of) {
     if (!numbers.has(texture)) {
         const { width : w, height : h, format, linear, repeat, data } = of(texture), n = sized.length;
@@ -89,14 +88,14 @@ function number(texture, of) {
     return numbers.get(texture);
 }
 
-/* What stands for the depth of theirs. */
+/* Adds a texture that replaces an effect's own depth texture. */
 function depth(texture, scale, empty, linear) {
     numbers.set(texture, sized.length);
     sized.push({ width, height, bytes : 4 * width * height });
     line({ kind : 'depth', scale, empty, linear : +linear });
 }
 
-/* value, texture: of the uniform of a name; the value of a sampler is asked of texture. */
+/* value(), texture(): the value of a uniform by its name, and the texture of a sampler. */
 function pass({ vertex, fragment, shown, cleared, targets, value, texture }) {
     const n = programs++, uniforms = [], named = new Set();
     for (const [, type, length, name, also] of (vertex + fragment).matchAll(
@@ -124,7 +123,7 @@ const constant = (text, { type, name, count, values }) =>
     count === 1 && ([ 'int', 'uint', 'bool' ].includes(type) || name.includes('Count'))
         ? text.replace(`uniform ${type} ${name};`, `const ${type} ${name} = ${type}(${values.split(' ')});`) : text;
 
-/* Vertices without attributes: one triangle over all. */
+/* Replaces vertex attributes by one triangle that covers the picture. */
 const triangle = (text, position, also = '') => `#define main peer_main
 ${text.replace(/\battribute\s+(\w+\s+\w+\s*;)/g, '$1')}
 #undef main
@@ -139,7 +138,7 @@ const older = (text, output) => `#define varying ${output ? 'in' : 'out'}
 ${output ? 'layout(location = 0) out highp vec4 pc_fragColor;\n#define gl_FragColor pc_fragColor\n' : ''}${text}
 `;
 
-/* ---- >>three.js: a renderer, and what an effect asks of it ------------------------------------------------------- */
+/* ---- >>three.js: a renderer, and the calls of an effect to it ---------------------------------------------------- */
 
 const camera = new THREE.PerspectiveCamera();
 camera.near = near;
@@ -194,7 +193,7 @@ class Renderer {
     setRenderTarget(target) { this.#target = target; this.#cleared = null; }
     clear() { this.#cleared = this.#colour.clone(); }
 
-    /* Scenes are the G-buffer, which the caller has; all else is a pass over the picture. */
+    /* Scenes draw the G-buffer, which the caller has. All other objects are passes over the picture. */
     render(object) {
         const target = this.#target, m = object.material;
         if (object.isScene) {
@@ -202,7 +201,7 @@ class Renderer {
             numbers.set(target.texture, object.overrideMaterial ? 1 : 2);
             return;
         }
-        if (target === this.picture) return;               /* blends with it what is done by now */
+        if (target === this.picture) return;               /* blends the result with the picture */
         const targets = target.textures.map(three_texture);
         pass({ vertex: vertex(m), fragment: fragment(m), shown: target === this.shown,
                cleared: this.#cleared?.toArray(), targets, value: name => m.uniforms[name]?.value,
@@ -212,7 +211,7 @@ class Renderer {
     result() { return this.#result; }
 }
 
-/* Draws an effect; which texture has it. */
+/* Draws an effect; returns the texture with the result. */
 function three_draw(effect) {
     const write = new THREE.WebGLRenderTarget(width, height, { type : THREE.HalfFloatType }), read = write.clone(),
           renderer = new Renderer(read, effect.configuration?.halfRes ? null : write);
@@ -224,7 +223,7 @@ function three_draw(effect) {
 
 const tsl_inputs = { depth: 0, picture: 2, normal: 3 };
 
-/* Its denoiser's distances of depth are in units of the scene. */
+/* The denoiser's distances of depth are in the scene's units. */
 async function tsl(effect, set, filter) {
     const view = { width, height, near, far, projection : v.slice(5, 21) };
     const told = of => pass({...of, targets : of.targets.map(three_texture), texture : three_texture });
@@ -234,7 +233,7 @@ async function tsl(effect, set, filter) {
 
 /* ---- >>Babylon.js: an engine without a GPU, whose draws are written down ----------------------------------------- */
 
-/* The text takes one of 16 directions however many there are; past the end browsers read the last, GL anything. */
+/* The shader takes one of 16 directions even if there are fewer. Past the end browsers read the last, GL any value. */
 const past = /\(i\+int\(random\.y\*16\.0\)\) % 16/, kept = 'min($&, SAMPLES - 1)';
 
 class Engine extends NullEngine {
@@ -263,7 +262,7 @@ class Engine extends NullEngine {
                              repeat : wrapU === 1, data : _bufferView }));
     }
 
-    /* All but SSAO2 itself copies the picture, or multiplies it. */
+    /* All draws but SSAO2's own copy the picture or multiply it. */
     drawElementsType() {
         const effect = this._currentEffect, set = this.#set.get(effect);
         if (effect.name.fragment !== 'ssao2') return;
@@ -275,7 +274,7 @@ class Engine extends NullEngine {
     result() { return this.#result; }
 }
 
-/* The camera and the geometry buffer that it asks for: right-handed, so that depths are below 0. */
+/* The camera and the geometry buffer that it needs: right-handed, so that depths are below 0. */
 async function babylon_draw(ratio, set) {
     const engine = new Engine(), scene = new Scene(engine), camera = new FreeCamera('', Vector3.Zero(), scene),
           buffer = Object.create(GeometryBufferRenderer.prototype), textures = [ {}, {} ];
@@ -293,7 +292,7 @@ async function babylon_draw(ratio, set) {
     return engine.result();
 }
 
-/* ---- >>PlayCanvas: a device without a GPU, and what a frame sets and draws --------------------------------------- */
+/* ---- >>PlayCanvas: a device without a GPU, and the settings and draws of a frame --------------------------------- */
 
 class Device extends NullGraphicsDevice {
     #pass; #shader;
@@ -318,7 +317,7 @@ class Frame extends CameraFrame {
     enable() {}
 }
 
-/* unit: of theirs, for one of the scene's. Their depth is that of the prepass. */
+/* unit: how many of its units are one of the scene's. Depth comes from its prepass. */
 function playcanvas_draw(set, unit = 1) {
     const canvas = { width, height }, device = new Device(canvas), app = new AppBase(canvas), frame = new Frame(),
           options = new AppOptions(), texture = {};
@@ -337,9 +336,9 @@ function playcanvas_draw(set, unit = 1) {
     return device.texture(ssaoPass.ssaoTexture);
 }
 
-/* ---- >>peers: by default, and such that the radius is ours ------------------------------------------------------- */
+/* ---- >>peers: at their defaults, and with the chart's radius ----------------------------------------------------- */
 
-/* of the radius, at the middle of the depths: SAO's is one of the screen */
+/* the radius in pixels at the median depth: SAO's radius is one of the screen */
 const pixels = radius / middle * v[10] * height / 2;
 
 function three(Pass, pass = new Pass(new THREE.Scene(), camera, width, height)) {
@@ -371,13 +370,13 @@ const n8ao = (mode, set) => {
 /* SAO weighs by 1 / (1 + (slope t)^2), and divides a sample's cosine by the slope, less the bias */
 const slope = 1 / radius;
 
-/* Matched: beside the radius what of theirs shapes the effect, as it came nearest to the truth in the chart's scenes,
-   in coarse steps; of Babylon.js and PlayCanvas in bunny, room and colonnade. R: the radius.
+/* Matched: the radius, and the settings that came nearest to the truth in the chart's scenes, in coarse steps; for
+   Babylon.js and PlayCanvas in bunny, room and colonnade. R: the radius.
    Nodes: five scenes by seed below 26.
-   Babylon.js: at the sizes that its documentation shows or at full size, with 16 samples, all that its text tells
-   apart, and without its limits of near and far depths.
-   PlayCanvas: 2 R, as its text takes any field of view for one of 53 degrees, and the scene in such units that R is 20,
-   as its blur takes a step of 1 for an edge. */
+   Babylon.js: at the resolutions that its documentation shows and at full resolution, with 16 samples (its text tells
+   no more apart), and without its limits of near and far depths.
+   PlayCanvas: 2 R, as its text takes any field of view for one of 53 degrees; the scene's units make R 20, as its blur
+   takes a depth step of 1 for an edge. */
 const filter = { depthPhi: 0.2 * radius, radius: 3 }, filter_words = 'DenoiseNode of radius 3, depths 0.2 R';
 const gtao_node = { radius, thickness: 0.8 * radius }, gtao_words = `radius R, thickness 0.8 R, ${filter_words}`;
 const ssgi_node = { useScreenSpaceSampling: false, radius, thickness: 0.25 * radius },

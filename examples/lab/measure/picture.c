@@ -1,5 +1,4 @@
-/* picture.c - a method's picture, drawn once; and what a picture holds at a place of the world. Declared in
-   picture.h. */
+/* picture.c - draws a method's picture, and looks up the value at a place of the world. Declared in picture.h. */
 #include "lab/measure/picture.h"
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* rows.c - a row of which nothing is measured yet. Declared in rows.h. */
+/* rows.c - makes a row without results. Declared in rows.h. */
 #include "lab/measure/rows.h"
 #include <math.h>
 

@@ -1,13 +1,13 @@
-/* rows.h - a row: what is known of one setting of a method on one scene. measure/ fills rows, page/ shows them. */
+/* rows.h - a row: the results of one setting of a method on one scene. measure/ fills rows, page/ shows them. */
 #ifndef LAB_ROWS_H
 #define LAB_ROWS_H
 
 #include "kit/kit.h"
 
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
-#define WITH_COUNT(table) table, COUNT(table)      /* two members of a struct, or two arguments */
+#define WITH_COUNT(table) table, COUNT(table)      /* for two members of a struct, or two arguments */
 
-/* The columns that a row is shown with. */
+/* The groups of columns that show a row. */
 enum {
     OF_AO = 1,
     OF_LIT = 2,
@@ -29,17 +29,18 @@ enum {
     OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION
 };
 
-/* Of what is drawn with several phases of its noise: the error in all, what of it is the model's, and noise; the angle
-   of hue, of all and of what is in shade; the bounce's noise. */
+/* With several phases of the noise: the error in all, the model's part of it, and the noise; the error of hue in
+   degrees, everywhere and in shade; the bounce's noise. */
 enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT_BOUNCE, SPLITS };
 
-/* Noise by bands of frequency (lab/measure/bands.h). A peer's share after each of FITS fits (lab/measure/peers.h). */
+/* Noise in bands of frequency (lab/measure/bands.h). A peer's relative error after each of FITS fits
+   (lab/measure/peers.h). */
 enum { NOISE_BANDS = 4, FIT_GAINS = 9, FIT_EXPONENTS = 9, FITS = 2 * FIT_GAINS * FIT_EXPONENTS };
 
-/* What is known of fields: of the bake; of a picture's error beside its score; the occluders' reach as a share of the
-   picture, each counted; of two occluders' occlusions. Of deep screen space: what is splatted; its stages' shares of
-   the time; how far the camera is turned; what a place's visibility varies by while the camera moves. Of AO, and of
-   irradiance: edges, border and interior apart. A picture's mean where something is seen. */
+/* Figures of fields: of the bake; a picture's error; the occluders' reach as a share of the picture, each counted; the
+   combined occlusion of two occluders. Of deep screen space: surfels and splats; each stage's share of the time; the
+   camera's turn; the deviation at a place while the camera moves. Errors of AO and of irradiance on edges, at the
+   border and inside. The mean of a picture where it shows surfaces. */
 enum {
     TRIANGLES,
     RESOLUTION,
@@ -80,25 +81,25 @@ enum {
     FIGURES = FIT + FITS
 };
 
-/* What does not apply is NAN. scene: or "mean", of several. */
+/* A figure that does not apply is NAN. scene: or "mean", of several scenes. */
 typedef struct row {
-    const char *scene, *label, *method, *settings;   /* label: names the curve; rows of one curve follow each other */
+    const char *scene, *label, *method, *settings;   /* rows of one label follow each other and make a curve */
     double bytes, relative, ms, share;
     kit_score score;                                 /* of ambient visibility, or of radiance */
-    /* the columns that it is shown with; not OF_AO: share is error[0], and these are known: */
+    /* the groups of columns; without OF_AO these are known, and share is error[0]: */
     int of;
-    /* RMSE and bias of radiance, irradiance, bounce, over the truth's means */
+    /* RMSE and bias of radiance, irradiance and bounce, over the mean of the truth */
     double error[3], bias[3];
-    double split[SPLITS];                            /* OF_SPLIT, OF_PHASES: of irradiance, of visibility */
+    double split[SPLITS];                            /* OF_SPLIT: of irradiance; OF_PHASES: of visibility */
     double figure[FIGURES];                          /* OF_FIELDS, OF_DEEPS */
 } row;
 
-/* What is measured as a row. quick: shown by chart --quick too */
+/* A method to be measured as a row. quick: chart --quick shows it, too */
 typedef struct entry { const char *label, *method, *settings; int quick; } entry;
 
 enum { MOST_ENTRIES = 48, MOST_ROWS = MOST_ENTRIES + 2 };
 
-/* A row of which nothing is known but its names. */
+/* A row with names and without results. */
 row row_blank(int of, const char *scene, const char *label, const char *method, const char *settings);
 
 #endif

@@ -1,12 +1,12 @@
-/* score.c - how far a picture is from a stage's truth: over the picture, on edges, border and interior apart, and over
-   the phases of its noise. Declared in score.h. */
+/* score.c - scores a picture against a stage's truth: as a whole; on edges, at the border and inside; and over the
+   phases of its noise. Declared in score.h. */
 #include "lab/measure/score.h"
 #include <math.h>
 #include <stdlib.h>
 
 /* ---- >>picture --------------------------------------------------------------------------------------------------- */
 
-/* Edges, border and interior apart. */
+/* Scores edges, border and interior apart. */
 static int score_places(row *r, const stage *s, const kit_image *picture, const char *const *channels, kit_error *err)
 {
     kit_score_place place[KIT_PLACES];
@@ -41,7 +41,7 @@ int score_picture(row *r, const stage *s, const kit_image *picture, kit_error *e
         failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err)
                  || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
         const double share = s->lit ? -unit.bias : unit.rmse, known = share > 0 ? 1 / share : (double)NAN;
-        if (s->stride > 1) here.ssim = (double)NAN;      /* has no neighbours */
+        if (s->stride > 1) here.ssim = (double)NAN;      /* its pixels have no neighbours */
         if (g % 3 == 0) r->score = here;
         if (g % 3 == 0) r->share = here.rmse * known;
         if (s->lit) r->error[g] = here.rmse * known;
@@ -62,12 +62,12 @@ int score_named(row *r, const stage *s, const char *label, const kit_image *pict
 
 enum { NOISE_RAYS = 4 };
 
-/* Against NOISE_RAYS times its rays at every ninth or tenth pixel, one of the truth's; they begin with the truth's own.
-   So the difference is smaller than the error, by sqrt(1 - 1 / NOISE_RAYS) for independent rays. */
+/* Scores the truth against one of NOISE_RAYS times its rays, at some of its pixels. Those rays begin with the truth's
+   own, so the difference is smaller than the error: by sqrt(1 - 1 / NOISE_RAYS), if rays are independent. */
 int score_noise(row *r, const stage *s, const char *label, kit_error *err)
 {
     kit_image probe;
-    const int stride = (s->stride == SEED_STRIDE ? 3 : 5) * s->stride;      /* odd times it: the middles agree */
+    const int stride = (s->stride == SEED_STRIDE ? 3 : 5) * s->stride;      /* an odd factor: the middles agree */
     if (stage_trace(&probe, s, NOISE_RAYS * s->rays, stride, err) || score_named(r, s, label, &probe, err))
         return -1;
     kit_image_free(&probe);
@@ -80,12 +80,12 @@ int score_noise(row *r, const stage *s, const char *label, kit_error *err)
 
 /* ---- >>phases of the noise --------------------------------------------------------------------------------------- */
 
-/* Of each value its sum and that of its squares, over so many pictures. */
+/* Sums over the drawn pictures, for each value of a picture: of the value, and of its square. */
 typedef struct sums {
-    const char *const *names;              /* of the channels */
+    const char *const *names;              /* names of the channels */
     size_t  channels, pixels;
-    double *sum, *squares;                 /* squares: behind sum */
-    int     drawn, differs;                /* differs: some picture from those before */
+    double *sum, *squares;                 /* squares: the second half of sum */
+    int     drawn, differs;                /* differs: some picture is unlike the first */
 } sums;
 
 static int sums_new(sums *t, const stage *s, kit_error *err)
@@ -115,7 +115,7 @@ static void sums_add(sums *t, const kit_image *picture)
     ++t->drawn;
 }
 
-/* The next phase; with a history of frames that no other phase has. */
+/* Draws the next phase. With history its frames have numbers that no other phase has. */
 static int sums_draw(sums *t, const stage *s, kit_run *run, int phases, kit_error *err)
 {
     kit_image now;
@@ -127,18 +127,18 @@ static int sums_draw(sums *t, const stage *s, kit_run *run, int phases, kit_erro
     return 0;
 }
 
-/* Sums over the pixels: the truth, squared differences of the mean picture, variances; of hue the angles by their
-   weights, of all and of what is in shade. Of the bounce its truth and variances alone. */
+/* Sums over the pixels: of the truth, of the mean picture's squared error, of the variances; of the error of hue,
+   everywhere and in shade, with its weights; of the bounce only truth and variances. */
 typedef struct errors { double level, off, noise, values, hue[2], weight[2], bounce, bounce_noise; } errors;
 
-/* Over the pictures drawn. */
+/* A value's variance over the drawn pictures. */
 static double variance(const sums *t, size_t k)
 {
     const double mean = t->sum[k] / t->drawn;
     return t->differs ? fmax(0, t->squares[k] / t->drawn - mean * mean) * t->drawn / (t->drawn - 1) : 0;
 }
 
-/* open: the light without occluders; visibility has none. */
+/* open: the unoccluded light; NULL for visibility. */
 static void errors_add(errors *e, const sums *t, size_t i, const float *const *truth, const float *const *open)
 {
     static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };

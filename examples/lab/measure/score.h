@@ -1,20 +1,20 @@
-/* score.h - how far a picture is from a stage's truth, as figures of a row. */
+/* score.h - scores a picture against a stage's truth, as figures of a row. */
 #ifndef LAB_SCORE_H
 #define LAB_SCORE_H
 
 #include "lab/measure/stage.h"
 
-/* Scores a picture over what the frame shows, and where the picture is known; the unit on the same pixels. */
+/* Scores a picture over the pixels that the frame shows and the picture knows, and the unit over the same pixels. */
 int score_picture(row *r, const stage *s, const kit_image *picture, kit_error *err);
 
-/* A row whose figures come from a picture of light, without a time. */
+/* Makes a row of a picture of light, without a time. */
 int score_named(row *r, const stage *s, const char *label, const kit_image *picture, kit_error *err);
-/* How far a truth of light is off by itself: against several times its rays. */
+/* Makes a row of the truth's own noise in light: against a truth of several times its rays. */
 int score_noise(row *r, const stage *s, const char *label, kit_error *err);
 
-/* What a row's irradiance or ambient visibility is off by: on the mean over the phases of the noise, and from phase to
-   phase. picture: the first phase's; run draws the others; NULL: a picture that has no noise. A second phase that is
-   the first over again is the last. */
+/* Splits the error of a row's irradiance or visibility into that of the mean over phases of the noise and the deviation
+   from phase to phase. picture: of the first phase; run draws the others (NULL: the picture has no noise). If the
+   second phase equals the first, no more are drawn. */
 int score_phases(row *r, stage *s, kit_run *run, int phases, const kit_image *picture, kit_error *err);
 
 #endif

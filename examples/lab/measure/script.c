@@ -1,4 +1,4 @@
-/* script.c - a view as the script reads it: size, planes, radius, matrices and a depth. Declared in script.h. */
+/* script.c - writes a view for peers.mjs: size, planes, radius, matrices and a depth. Declared in script.h. */
 #include "lab/measure/script.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,15 +1,15 @@
-/* spread.h - what many scenes say together of one figure: its mean and how certain that is, its median, its worst. */
+/* spread.h - statistics of one figure over many scenes: its mean and the interval of that, its median, its worst. */
 #ifndef LAB_SPREAD_H
 #define LAB_SPREAD_H
 
 enum { MOST_SPREAD = 1000 };                 /* values */
-/* count: of what is known. half: of the mean's 95 % interval, 1.96 standard errors; NAN of one alone. worst: which of
-   the values is most; -1 = there is none. above: how many exceed 1. */
+/* count: of known values. half: of the mean's 95 % interval, 1.96 standard errors; NAN for a single value. worst: the
+   index of the largest value; -1 = there is none. above: how many values exceed 1. */
 typedef struct spread { int count, above, worst; double mean, half, median, most; } spread;
 
 /* Of count values, at most MOST_SPREAD; NAN is not known. */
 spread spread_of(const double *value, int count);
-/* Of those whose group is one alone; worst counts among all. */
+/* Of the values of one group. worst is an index into all values. */
 spread spread_in(const double *value, const int *group, int one, int count);
 
 #endif

@@ -1,5 +1,5 @@
-/* stage.h - a scene as methods and the truth see it: its light, its G-buffer, its truth and what else is shown beside
-   methods; and the views that the charts are made of. */
+/* stage.h - a stage: a scene, its light, its G-buffer, its truth and the pictures beside methods; and views of
+   charts. */
 #ifndef LAB_STAGE_H
 #define LAB_STAGE_H
 
@@ -7,31 +7,31 @@
 #include "lab/measure/rows.h"
 
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
-#define BED     "build/models/iron-bed.obj"    /* make chart puts these there: examples/kit/models.sh */
+#define BED     "build/models/iron-bed.obj"    /* make chart gets them by examples/kit/models.sh */
 #define MAPLE   "build/models/maple.obj"
 #define HOUSE   "build/models/fzk-house.obj"
 
-/* of the truth of ambient visibility; the floor is traced at every FLOOR_STRIDE-th pixel both ways (at every third of
-   those of the truth where that has a stride) */
+/* RAYS: of the truth of ambient visibility. The floor is traced at every FLOOR_STRIDE-th pixel both ways, or at every
+   third pixel of a truth that has a stride. */
 enum { RAYS = 256, FLOOR_STRIDE = 4 };
-/* of light the truth is traced at every LIT_STRIDE-th pixel both ways, and probed at some of these. A stride's pixel is
-   the middle one of its block: strides on which that is traced, too */
+/* The truth of light is traced at every LIT_STRIDE-th pixel both ways, the middle one of each block. ON_STRIDE: whether
+   the middles of another stride's blocks are traced, too, so that noise can be probed there. */
 enum { LIT_STRIDE = 2 };
-/* The size that people look at, and the truth there: so many rays keep its noise below a tenth of methods' errors, also
-   where small bright parts of an environment bring much of the light. The stride is odd, so that of each 2x2 every
-   pixel is scored alike, for half size gathers at one of these. */
+/* The size at which people look at pictures, and the truth at that size. Its rays keep its noise below a tenth of
+   methods' errors, also if small bright parts of an environment bring much of the light. The stride is odd, so that all
+   four pixels of a 2x2 are scored equally often, also in gathers of half resolution. */
 enum { SEED_WIDTH = 1280, SEED_HEIGHT = 720, SEED_STRIDE = 11, SEED_RAYS = 1024 };
-/* Seeds below this one may be looked at while settings are tuned; those from it on only report. */
+/* Settings may be tuned on seeds below this one. Seeds from it on are for reports alone. */
 enum { SEEDS_JUDGED = 1000 };
 #define ON_STRIDE(stride) ((stride) % LIT_STRIDE == 0 && (stride) / 2 % LIT_STRIDE == LIT_STRIDE / 2)
-/* A quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than
-   LEAST_RAYS. 1 until it is set. */
+/* A quick chart divides the width and the height of pictures by this, and the truth's rays by its square (at least
+   LEAST_RAYS stay). It is 1 until it is set. */
 extern int stage_thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 
-/* What lights a view (as build/render's options take it), how it is shown, and its truth. local: suns are blocked as
-   the environment is, within the radius, not by all of the scene; in the truth they then are discs of SUN degrees
-   around. env NULL: the scene's own, of scenes by seed. */
+/* The light of a view (in words of build/render's options), its exposure, and its truth. local: suns are blocked within
+   the radius, as the environment is, not by all of the scene; in the truth they are discs of SUN degrees in diameter.
+   env NULL: the scene's own, for scenes by seed. */
 enum { MOST_SUNS = 2, MOST_CROPS = 2, SUN = 3 };
 typedef struct lit {
     const char *env, *light[MOST_SUNS];
@@ -40,7 +40,7 @@ typedef struct lit {
     int   crop[MOST_CROPS][4];                 /* x, y, width, height */
 } lit;
 
-/* A view of a scene; what is 0 is the scene's own. lit: NULL = ambient visibility. */
+/* A view of a scene. Members that are 0 are the scene's own. lit NULL: ambient visibility. */
 typedef struct view {
     const char *name, *path;
     int ground;
@@ -48,18 +48,19 @@ typedef struct view {
     const lit *lit;
 } view;
 #define NO_CROPS { { 0 } }
-extern const view stage_views[];               /* of ambient occlusion's chart; the first is the demo's */
+extern const view stage_views[];               /* the views of the chart of ambient occlusion; the first is the
+                                                  demo's */
 extern const int stage_views_count;
-/* Number i of the models that packages bring, seen by seed i; neighbours in their list are far apart in i. 0: there is
-   no such package. */
+/* Model number i of those that packages bring, for seed i; models that are neighbours in the packages' list have
+   distant numbers. 0: the package is missing. */
 int stage_model(char path[128], int i);
-/* The packages that make chart takes such a mesh from; NULL = it is none of these. */
+/* The packages from which make chart takes a mesh; NULL: it is from none. */
 const char *stage_packages(const char *path);
 
-typedef struct given { const char *label, *method; kit_image picture; } given;   /* a row without a method to time */
+typedef struct given { const char *label, *method; kit_image picture; } given;   /* a row without a method */
 
-/* What is lit otherwise. hard: what blocks or sends within the radius counts whole. GLOSS: exponent of the lobe.
-   SCATTER: material and its unit; rays are thousands of samples. */
+/* Effects with a truth of their own. hard: an occluder or sender within the radius counts whole. GLOSS: the exponent of
+   the lobe. SCATTER: material and its unit; rays are thousands of samples. */
 enum { GLOSS = 1, SCATTER };
 typedef struct otherwise { int hard, kind; float exponent, unit; const char *material; } otherwise;
 
@@ -69,24 +70,24 @@ typedef struct stage {
     kit_gbuffer  gbuffer;
     const lit   *lit;
     otherwise    otherwise;
-    int          rays, between;                /* of the truth; 1 = occlusion is between objects */
-    int          stride;                       /* of the truth, 0 = 1; what is left out counts as not shown */
-    kit_lighting lighting, traced;             /* as methods have it, as the truth has it */
-    /* lit: suns and point lights with their shadows, without the environment, */
+    int          rays, between;                /* of the truth; between 1: occlusion is between objects */
+    int          stride;                       /* of the truth, 0 = 1; pixels between count as not shown */
+    kit_lighting lighting, traced;             /* lighting for methods, and for the truth */
+    /* if lit: suns and point lights with their shadows, without the environment, */
     kit_run      lights;
-    /* and what ambient visibility leaves as it is: that, unless suns are local, too */
+    /* and the light that ambient visibility must not dim: theirs, unless suns are local */
     kit_image    direct;
     kit_image    places;                       /* edges, border, interior */
-    /* unit: what errors are shares of: AO: of no AO's, 1 everywhere; lit: of the mean, 0 everywhere */
+    /* unit: the picture whose error is 1: without light no AO, 1 everywhere; if lit, 0 everywhere */
     kit_image    frame, truth, unit;
     given        given[2];
     int          givens;
     float        radius;
 } stage;
 
-/* Load: the scene and its light; what the scene is of may change until it is shown. Look: what is seen. Compare: its
-   truth, and what else is shown beside it; light: the latter alone, where the truth is not wanted whole. Show: look and
-   compare; open: all three. */
+/* stage_load: the scene and its light; the scene may be changed until stage_look. stage_look: the G-buffer.
+   stage_compare: the truth and the given pictures; stage_light: the given ones alone, for a truth that is not needed
+   whole. stage_show: look and compare; stage_open: all three. */
 int stage_load(stage *s, const view *v, kit_error *err);
 int stage_look(stage *s, const view *v, int width, int height, kit_error *err);
 int stage_light(stage *s, kit_error *err);
@@ -95,19 +96,19 @@ int stage_show(stage *s, const view *v, int width, int height, kit_error *err);
 int stage_open(stage *s, const view *v, int width, int height, kit_error *err);
 void stage_close(stage *s);
 
-/* The truth alone, of its camera (gbuffer.camera), from build/cache where it was computed before. */
+/* Traces the truth of gbuffer.camera alone, or reads it from build/cache. */
 int stage_truth(stage *s, kit_error *err);
-/* Two truths of ambient visibility at every pixel, PAIR_RAYS each, whose noise is independent: channels Y, again. */
+/* Two truths of ambient visibility at every pixel, PAIR_RAYS each, with independent noise, in channels Y and again. */
 enum { PAIR_RAYS = 64 };
 int stage_pair(kit_image *out, const stage *s, kit_error *err);
-/* The truth's rays; every stride-th pixel. */
+/* Traces the truth by so many rays, at every stride-th pixel. */
 int stage_trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err);
-/* The true ambient visibility (channel Y) of a stage that is lit. */
+/* The true ambient visibility (channel Y) of a lit stage. */
 int stage_visibility(kit_image *out, const stage *s, kit_error *err);
-/* Lit by ambient visibility: it dims the environment's light, not the lights'. */
+/* Turns visibility into light: it dims the environment's light, not that of lights. */
 int stage_dim(kit_image *visibility, const stage *s, kit_error *err);
-/* A run of a method on the stage; its picture, settled (see picture_settled); a method's picture, drawn once. Where the
-   stage is lit, pictures are of light. */
+/* A run of a method on the stage; its picture after picture_settled; a method's picture, drawn once. On a lit stage
+   pictures are of light. */
 int stage_run(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err);
 int stage_settled(kit_image *out, const stage *s, kit_run *run, unsigned first, int timed, kit_error *err);
 int stage_drawn(kit_image *out, stage *s, const char *method, const char *set, float radius, kit_error *err);

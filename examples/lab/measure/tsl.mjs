@@ -1,7 +1,7 @@
 /* tsl.mjs - three.js' node effects (GTAONode, DenoiseNode, SSGINode) as GLSL, for peers.mjs.
 
-   Their renderer draws with a backend without a GPU, which builds the texts of the WebGL 2 backend and notes each draw.
-   The texts come back with plain uniforms instead of blocks. */
+   Their renderer draws with a backend without a GPU, which builds the shaders of the WebGL 2 backend and notes each
+   draw. In the resulting shaders plain uniforms replace the blocks. */
 globalThis.self ??= globalThis;
 globalThis.requestAnimationFrame ??= () => 0;
 globalThis.cancelAnimationFrame ??= () => {};
@@ -20,7 +20,7 @@ const bare = text => text.replace(/^(#version|precision) .*$/gm, '')
     .replace(/(?:layout\( std140 \) )?uniform \w+ \{([^}]*)\};/g,
              (all, members) => members.replace(/\w+ \w+(?:\[\d+\])?;/g, 'uniform $&'));
 
-/* The quad's texture coordinates come from its vertices, whose positions the text has. */
+/* The quad's texture coordinates are made from gl_VertexID, as its vertices are. */
 const vertexOf = text => `${bare(text).replace(/layout\( location = 0 \) in vec2 uv;/, 'vec2 uv;')
     .replace('void main()', 'void peer_main()')}
 void main() {
@@ -29,7 +29,7 @@ void main() {
 }
 `;
 
-/* Outputs of fewer components are written as four. */
+/* Outputs with fewer than four components are written as vec4. */
 function fragmentOf(text) {
     const swizzle = { float: 'x', vec2: 'xy', vec3: 'xyz', vec4: 'xyzw' };
     return bare(text).replace(/layout\( location = (\d) \) out (\w+) (\w+);/g, (all, n, type, name) =>
@@ -57,7 +57,7 @@ class Notes extends THREE.Backend {
               { textures, clearColor, clearColorValue: colour } = object.context;
         for (const is of object.getBindings().flatMap(group => group.bindings)) {
             if (is.isUniformsGroup) for (const of of is.uniforms) values.set(of.name, of.getValue());
-            else if (is.isUniformBuffer)                   /* a block of one member */
+            else if (is.isUniformBuffer)                   /* a block with one member */
                 values.set((vertexShader + fragmentShader).match(`${is.name} \\{\\s*\\w+ (\\w+)`)[1], is.buffer);
             else values.set(is.name, is.texture);
         }
@@ -69,9 +69,9 @@ class Notes extends THREE.Backend {
 
 /* ---- >>effects --------------------------------------------------------------------------------------------------- */
 
-/* Draws ambient visibility by gtao or ssgi, whose members set has, then their denoiser, whose members filter has.
-   told: of each pass, { vertex, fragment, cleared, targets, value: of the uniform of a name }; input: told which
-   texture is the caller's depth, normal or picture. */
+/* Draws ambient visibility by gtao or ssgi with the members of set, then their denoiser with those of filter. told():
+   called for each pass with { vertex, fragment, cleared, targets, value: a uniform's value by its name }; input():
+   called with a texture that is the caller's depth, normal or picture, and with which of them it is. */
 export async function tsl_draw({ width, height, near, far, projection }, effect, set, filter, told, input) {
     const canvas = { width, height, style: {}, addEventListener() {}, removeEventListener() {}, setAttribute() {} },
           backend = new Notes(canvas, told), renderer = new THREE.Renderer(backend, { antialias: false });

@@ -1,12 +1,12 @@
-/* figures.mjs - examples/docs/FIGURES.md, the csv beside it and README's chart, from the records that make chart,
-   light, stability, papers, cost and cost-peers left.
+/* figures.mjs - makes examples/docs/FIGURES.md, the csv beside it and README's charts from the records of make chart,
+   light, stability, papers, cost and cost-peers.
 
       node examples/lab/page/figures.mjs [report]
       node examples/lab/page/figures.mjs --csv [FOLDER]       README's charts alone, of the csv in examples/docs/figures
 
-   A part of the page whose run is a full one goes to examples/docs, where the others stay as they are; of quick runs
-   the page lies beside the records. A part of a run (SCENE, METHOD, PAPER) changes nothing. A record that cannot be
-   read: one line on stderr, status 2; the page is then as it was. */
+   A full run replaces its own parts of the page in examples/docs, and no others. A quick run's page lies beside the
+   records. Runs of some scenes, methods or papers (SCENE, METHOD, PAPER) change nothing. If a record cannot be read:
+   one line on stderr, status 2, and the page stays as it is. */
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
@@ -31,8 +31,8 @@ const table = (heads, rows) =>
         .join('\n')
         .replaceAll('|  |', '| |')
         .replaceAll('|  |', '| |');
-/* A column each: its head, the key of a row's figure or what makes it of a row (none: the head is the key), digits,
-   whether it has a sign. */
+/* A table of rows. Each column is its head, the key of a figure or a function of a row (none: the head is the key), the
+   number of digits, and whether a plus sign is written. */
 const listed = (rows, ...columns) =>
     table(
         columns.map(([head]) => head),
@@ -42,7 +42,7 @@ const listed = (rows, ...columns) =>
             )
         )
     );
-/* A row as the tables name it: its label, and what of method and settings that does not tell. */
+/* A row's name in the tables: its label, and its method and settings unless the label names them. */
 function title(r) {
     const told = r.label === r.method || given(r);
     return `${r.label}${told ? '' : `, \`${r.method}\``}${
@@ -145,7 +145,7 @@ ${leads(rows)}`
 }`;
 }
 
-/* Where a peer leads although it may not cost more. */
+/* Kinds of scenes in which a peer has a smaller error than a row of ours with at least its cost. */
 function leads(rows) {
     const of = grouped(
         rows.filter(r => r.what === 'visibility' && r.set !== 'models'),
@@ -176,13 +176,13 @@ meets the error, and at most 1.2 times the error asked for.
 ${listed(rows, ['', 'what'], ['good', r => `${r.good} of ${r.pairs}`])}`;
 }
 
-/* Causes down, methods across. */
+/* A row for each cause, a column for each method. */
 function worst(causes) {
     const methods = [...new Set(causes.flatMap(Object.keys))].filter(key => key !== 'cause');
     const digits = v => (v > 1000 ? 0 : v > 0.03 ? 3 : 4);
     return listed(causes, ['cause'], ...methods.map(m => [m, c => cell(c[m], digits(c[m]))]));
 }
-/* Rows of moves by method: of each figure the mean, and in brackets the worst. */
+/* A row of moves for each method: the mean of each figure, and its worst in brackets. */
 function moved(record, heading, key) {
     const rows = under(record, heading),
         known = (list, f) => list.map(r => r[f]).filter(x => f !== 'by TAA' || x > 0);
@@ -211,7 +211,7 @@ ${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}${m
     .join('')}`;
 }
 
-/* What a sheet prints beside what is drawn, then what the paper says, how it is judged, and what came of it. */
+/* A paper's sheet: its printed figures beside those drawn here, then its claims, their rules and the outcomes. */
 function sheet(t) {
     const kinds = { printed: 'the paper', measured: 'here', time: 'here, a time' },
         of = (row, head) => t.rows.find(c => c.row === row && head === `${kinds[c.kind]}: ${c.head}`)?.text;
@@ -239,7 +239,7 @@ ${table(['figure', ...heads.map(h => h[0])], rows)}
 ${sheets.map(sheet).join('\n\n')}`;
 }
 
-/* "weighed (busy, calm)", one number where all are the same. */
+/* "weighed (busy, calm)", or one number if all are equal. */
 function ways(r, device, digits) {
     const key = way => `${device}${device ? ' ' : ''}${way}`;
     const [weighed, busy, calm] = ['weighed', 'busy', 'calm'].map(way => cell(r[key(way)], digits));
@@ -274,7 +274,7 @@ ${of
     .join('; ')}.`;
 }
 
-/* The page's parts in their order, each of a record: what finds its rows there, and makes a text of these. */
+/* The page's parts in their order: heading, record, the function that finds the rows, the one that writes the text. */
 const of_kind = (kind, made = rows => rows) => record => made(found(record, kind));
 const parts = [
     ['Ambient occlusion', 'chart', of_kind('ambient'), ambient],
@@ -301,7 +301,7 @@ the csv of full runs are in [figures](figures).
 
 /* ---- >>writing --------------------------------------------------------------------------------------------------- */
 
-/* Whole, or not at all. */
+/* Writes a file whole, or not at all. */
 function write(path, text) {
     writeFileSync(`${path}.part`, text);
     renameSync(`${path}.part`, path);
@@ -317,7 +317,7 @@ function page(kind, old) {
     };
     return head + parts.map(text).join('');
 }
-/* README's charts of the csv of full runs, whichever of these is the newest. */
+/* Draws README's charts from the newest csv of full runs. */
 async function redraw(into) {
     const path = name => `${docs}/figures/${name}.csv`,
         of = (table, name) => ({ table, csv: readFileSync(path(name), 'utf8') });
@@ -326,7 +326,7 @@ async function redraw(into) {
     for (const name of ['cost', 'cost-peers']) ssgi_record({ name, entries: [of('cost', name)] });
     await draw(into);
 }
-/* README's chart, on a GPU's clock, and that of this machine's; without Plot they stay as they are. */
+/* README's charts by a GPU's modelled time and by this machine's. Without Plot they stay as they are. */
 async function draw(into) {
     const here = name => resolve('build/page/node_modules', name);
     const rows = found(records('chart'), 'ambient'), all = rows.length ? report.ambient(rows, 'mean') : [];
@@ -371,7 +371,7 @@ async function draw(into) {
     );
     keep(`${into}/bars.svg`, halves);
 }
-/* Pictures beside each other, on white: the page that shows them may be dark. */
+/* Puts pictures beside each other on white, as the page that shows them may be dark. */
 function keep(path, all) {
     const sizes = side => all.map(svg => +svg.getAttribute(side)),
         startOf = i => sizes('width').slice(0, i).reduce((sum, w) => sum + w, 0);
@@ -385,7 +385,7 @@ function keep(path, all) {
     write(path, `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${ground}${placed.join('')}</svg>\n`);
     console.log(`figures: ${path}`);
 }
-/* Presets and, of each other library, the effect that errs least, the least error first. */
+/* Presets, and the effect with the smallest error of each other library, by increasing error. */
 function bars(sums) {
     const timed = sums.filter(r => Number.isFinite(r._ms) && !given(r));
     const own = timed.filter(r => !peer(r) && !r.settings && r.method !== 'hsao-march');

@@ -1,4 +1,4 @@
-/* page.c - files that reach the disk whole, and records, which a page is made of. Declared in page.h. */
+/* page.c - files that reach the disk whole, and the records that the page shows. Declared in page.h. */
 #include "lab/page/page.h"
 #include <stdarg.h>
 #include <stdlib.h>
@@ -32,7 +32,7 @@ void page_into(page *p, FILE *f)
     free(p->text);
 }
 
-/* A command's first line, without its end; "" if there is none. */
+/* The first line of a command's output, without its end; "" if there is none. */
 static void line_of(char *out, int size, const char *command)
 {
     FILE *f = popen(command, "r");
@@ -70,13 +70,16 @@ int page_begin(page *p, const char *name, const char *kind, const char *command,
     return 0;
 }
 
-/* What the page is, beside the records. Charts need the last two, which make page-deps takes from npm. */
+/* Copies the page's files beside the records, and README's pictures, which the demo opens with. Charts need the last
+   two, which make page-deps takes from npm. */
 static int copy_page(const char *folder, kit_error *err)
 {
     static const char *const from[] = { "examples/lab/page/index.html", "examples/lab/page/report.js",
+                                        "examples/docs/pictures/lit.png", "examples/docs/pictures/beside-1001.png",
+                                        "examples/docs/pictures/moving.png",
                                         "build/page/node_modules/d3/dist/d3.min.js",
                                         "build/page/node_modules/@observablehq/plot/dist/plot.umd.min.js" };
-    for (int i = 0; i < 4; ++i) {
+    for (size_t i = 0; i < sizeof from / sizeof *from; ++i) {
         char *text, path[4096];
         size_t size;
         if (kit_file_read(&text, &size, from[i], NULL)) continue;

@@ -1,4 +1,4 @@
-/* pictures.c - pictures that a page shows: exposed, made smaller, kept beside it. Declared in pictures.h. */
+/* pictures.c - exposes, shrinks and saves the pictures of the page. Declared in pictures.h. */
 #include "lab/page/pictures.h"
 #include <ctype.h>
 #include <math.h>
@@ -72,7 +72,7 @@ int pictures_crops(FILE *f, const char *out, const pictured *p, int count, int k
     return 0;
 }
 
-/* Means of blocks of pixels, of what is known: no wider than most, blocks no smaller than least. */
+/* Means over blocks of pixels, without unknown ones: at most most pixels wide, from blocks of at least least pixels. */
 static int shrunk(kit_image *out, const kit_image *picture, const char *names, int most, int least, kit_error *err)
 {
     const int fits = (picture->width + most - 1) / most, block = fits > least ? fits : least;

@@ -1,11 +1,11 @@
-/* table.c - rows as tables: one list of columns for text, CSV and the page. Declared in table.h. */
+/* table.c - rows as tables, with one list of columns for text, CSV and the page. Declared in table.h. */
 #include "lab/page/table.h"
 #include <math.h>
 #include <string.h>
 #include "kit/kit_gl.h"
 #include "lab/page/page.h"
 
-/* The truth's floor and a picture without occlusion have no settings; rows that a method drew move bytes. */
+/* The floor and the row of no occlusion have no settings. Only rows that a method drew have bytes. */
 const char *table_settings(const row *r) { return *r->settings ? r->settings : isnan(r->bytes) ? "" : "defaults"; }
 
 /* ---- >>columns --------------------------------------------------------------------------------------------------- */
@@ -116,8 +116,8 @@ static const column columns[] = {
       "structural similarity with the truth, 1 = the same", AT(score.ssim), 4, 0 }
 };
 
-/* The next column after c (-1: the first) that is of one of these kinds; -1 past the last. A software rasteriser's
-   milliseconds would mislead. Those without a head are in CSV alone. */
+/* The next column after c (-1: the first) of one of these kinds; -1 past the last. Milliseconds of a software
+   rasteriser are left out, as they would mislead. Columns without a head are in CSV alone. */
 static int next_key(int c, int of)
 {
     while (++c < COUNT(columns))
@@ -195,7 +195,7 @@ static void csv_field(FILE *f, const char *s)
 
 void table_csv(FILE *f, const row *rows, int count, int head)
 {
-    /* all that is lit makes one table, all of fields another, all of deep screen space a third */
+    /* all lit rows make one table, all rows of fields another, all of deep screen space a third */
     const int of = rows->of & OF_AO       ? OF_PHASES | (rows->of & (OF_AO | OF_PEER))
                    : rows->of & OF_FIELDS ? OF_FIELDS
                    : rows->of & OF_DEEPS  ? OF_DEEPS

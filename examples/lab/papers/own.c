@@ -1,9 +1,9 @@
-/* own.c - sheets that are drawn in a way of their own. Declared in sheet.h. */
+/* own.c - draws the sheets that need a drawing of their own. Declared in sheet.h. */
 #include <math.h>
 #include "lab/chart/fields_stage.h"
 #include "lab/papers/sheet.h"
 
-/* The terms of hsao apart: without normal rays, with them less that, and a filter behind a gather of one tap. */
+/* The terms of hsao: without normal rays; with them, less the former; the filter, behind a gather of one sample. */
 static int draw_passes(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     static const entry parts[] = {
@@ -31,8 +31,8 @@ static int draw_passes(FILE *record, const options *o, const sheet *t, row *rows
     return 0;
 }
 
-/* A column an effect, a row a stage, of which the last is the total: of each effect's frame its stages' shares. The
-   quick form has the first effect, that of the rows, alone. */
+/* A column for each effect, a row for each stage, the last for the total: each stage's share of the effect's frame. The
+   quick form has only the first effect, that of the rows. */
 static int draw_stages(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     static const struct { const char *label, *method, *more; } effects[] = {
@@ -63,7 +63,7 @@ static int draw_stages(FILE *record, const options *o, const sheet *t, row *rows
     return 0;
 }
 
-/* Times, of which frames are lost; and averages: of all sizes the mean of what is lost, as the paper forms it. */
+/* Times, and the frames that are lost by them. Averages are means of the loss over all sizes, as in the paper. */
 static int draw_rates(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     enum { AVERAGES = 2, OF_THREE = 18 };
@@ -86,8 +86,8 @@ static int draw_rates(FILE *record, const options *o, const sheet *t, row *rows,
     return 0;
 }
 
-/* The last rows are of a crowd: who casts changes, what is seen stays. Of a hundred shapes so many cast as the paper
-   has cubes. */
+/* The last rows are of a crowd, with the same view and other numbers of casting objects. Of a hundred shapes as many
+   cast as the paper has cubes. */
 static int draw_crowd(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
     static const setup crowd = { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 };

@@ -1,4 +1,4 @@
-/* papers.c - all papers, one sheet after another. Declared in papers.h. */
+/* papers.c - draws the sheets of all papers, one after another. Declared in papers.h. */
 #include "lab/papers/papers.h"
 #include <string.h>
 #include "lab/page/page.h"
@@ -13,7 +13,7 @@ static const struct { const char *key, *title; } papers[] = {
 };
 static row drawn[MOST_SHEETS][MOST_ROWS];
 
-/* --paper: those whose key and name begin so. */
+/* Whether --paper allows a sheet: its key and name must begin so. */
 static int asked(const options *o, const sheet *t)
 {
     char name[64];
@@ -35,7 +35,7 @@ int papers_units(const options *o)
     return units_count(paper_unit, count, o);
 }
 
-/* A sheet: its pictures, its cells. */
+/* Draws a sheet: its pictures and its cells. */
 static int chart(FILE *record, FILE *csv, const options *o, int k, kit_error *err)
 {
     const sheet *t = papers_sheet(k);

@@ -1,4 +1,4 @@
-/* papers.h - the papers' own tables and figures, drawn here beside theirs. Writes papers.csv. */
+/* papers.h - the papers' own tables and figures, drawn here beside the printed ones. Writes papers.csv. */
 #ifndef LAB_PAPERS_H
 #define LAB_PAPERS_H
 

@@ -1,4 +1,4 @@
-/* read.c - the sheets as the csv beside this file hold them. Declared in sheet.h. */
+/* read.c - reads the sheets from the csv beside this file. Declared in sheet.h. */
 #include <stdlib.h>
 #include <string.h>
 #include "lab/measure/csv.h"
@@ -31,7 +31,7 @@ static int find(line *l, const char *key, const char *text, size_t length)
     return 0;
 }
 
-/* A cell with its {words} as they read, which is kept until the program ends; NULL: it is empty. */
+/* A cell, in which {word} is replaced, kept until the program ends; NULL: the cell is empty. */
 static const char *text_of(const line *l, const char *key)
 {
     const char *at = csv_text(&l->of, l->at, key), *end;
@@ -55,7 +55,7 @@ static const char *text_of(const line *l, const char *key)
 static int whole(const line *l, const char *key) { return atoi(csv_text(&l->of, l->at, key)); }
 static float real(const line *l, const char *key) { return (float)atof(csv_text(&l->of, l->at, key)); }
 
-/* What stands between bars, NULL where that is nothing; the rest of out stays. */
+/* Splits a cell at its bars. An empty part is NULL. The rest of out stays as it is. */
 static void split(const line *l, const char *key, const char *out[MOST_HEADS])
 {
     char *text = strdup(csv_text(&l->of, l->at, key));
@@ -112,7 +112,7 @@ static void read_view(sheet *t, const line *from)
 
 /* ---- >>sheets ---------------------------------------------------------------------------------------------------- */
 
-/* Which of some names a text is, as far as it ends as they do. */
+/* The index of the name that equals the first length characters of text. */
 static int one_of(const char *const *names, int count, const char *text, size_t length)
 {
     int k = 0;
@@ -120,7 +120,7 @@ static int one_of(const char *const *names, int count, const char *text, size_t 
     return k < count ? k : -1;
 }
 
-/* HEAD=QUANTITY.DIGITS; own-1 is the first of what is the sheet's own. */
+/* Reads columns as HEAD=QUANTITY.DIGITS; own-1 is the first column of the sheet's own. */
 static void read_columns(sheet *t, const line *l)
 {
     static const char *const names[] = { "time", "milliseconds", "overhead", "error", "bias", "bounce", "radiance",
@@ -184,7 +184,7 @@ static void read_claim(claim *c, const sheet *t, const line *l)
     if (sheet_rule(c, csv_text(&l->of, l->at, "rule"))) fault(l, "rule");
 }
 
-/* Whether a line is of a sheet. */
+/* Whether a line belongs to a sheet. */
 static int is_of(const line *l, const sheet *t)
 {
     return !strcmp(csv_text(&l->of, l->at, "paper"), t->paper)
@@ -207,7 +207,7 @@ static void read_sheet(sheet *t, const line *l)
     read_view(t, l);
 }
 
-/* Rows and claims follow each other as their sheets do: one that does not is of none. */
+/* Rows and claims stand in the order of the sheets. A line out of order belongs to no sheet. */
 static void read_all(void)
 {
     line s = { .file = "sheets" }, r = { .file = "rows" }, c = { .file = "claims" };

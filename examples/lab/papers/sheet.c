@@ -1,4 +1,4 @@
-/* sheet.c - what a paper's table or figure shows, drawn here. Declared in sheet.h. */
+/* sheet.c - draws a paper's table or figure. Declared in sheet.h. */
 #include "lab/papers/sheet.h"
 #include <math.h>
 #include <string.h>
@@ -32,14 +32,14 @@ int sheet_columns(const sheet *t)
     return n;
 }
 
-/* The column of what is shown, else -1. */
+/* The index of the column with a quantity, or -1. */
 static int column_of(const sheet *t, quantity of)
 {
     for (int c = 0; c < sheet_columns(t); ++c) if (t->column[c].of == (int)of) return c;
     return -1;
 }
 
-/* By the times that a reader has beside it. */
+/* The overhead, by the times that the sheet also shows. */
 static double overhead(const sheet *t, const row *rows, int i)
 {
     const int base = t->rows[i].base - 1, ms = column_of(t, MILLISECONDS), shown = ms < 0 ? column_of(t, TIME) : ms;
@@ -110,7 +110,7 @@ int sheet_own(claim *own, const sheet *t, const claim *c)
 
 enum { SLUG = 96 };
 
-/* What picture number k of a sheet is called. */
+/* The name of a sheet's picture number k. */
 static void sheet_slug(char slug[SLUG], const sheet *t, int k)
 {
     char name[64];
@@ -127,7 +127,7 @@ static int sheet_picture(FILE *record, const options *o, const sheet *t, const s
     return pictures_thumb(record, o->out, slug, label, note, s, picture, err);
 }
 
-/* A row's picture; under it its first two columns. */
+/* Shows a row's picture, with the row's first two columns below it. */
 static int show_row(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
                     const row *rows, int i, kit_error *err)
 {
@@ -141,7 +141,7 @@ static int show_row(FILE *record, const options *o, const sheet *t, const stage 
     return sheet_picture(record, o, t, s, picture, i + 1, t->rows[i].what, note, err);
 }
 
-/* The mean of ambient visibility, or of the bounce, where something is seen. */
+/* The mean of ambient visibility, or of the bounce, over the pixels that show a surface. */
 static double level_of(const kit_image *picture, const kit_image *frame)
 {
     const float *z = kit_image_channel(frame, "Z"),
@@ -153,11 +153,11 @@ static double level_of(const kit_image *picture, const kit_image *frame)
     return seen ? sum / (double)seen : (double)NAN;
 }
 
-/* What is drawn of a group of rows: which rows, and as what. */
+/* The rows of a group that are drawn, and their entries. */
 typedef struct chosen { int at[MOST_PAPER_ROWS], count; entry entry[MOST_PAPER_ROWS]; } chosen;
 enum { CROP_TIMES = 4 };
 
-/* Close-ups of the truth, where it has every pixel, and of each row, as the light names them. */
+/* Close-ups of the truth, if it has every pixel, and of each row, at the crops of the light. */
 static int draw_crops(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
                       const chosen *c, kit_error *err)
 {
@@ -212,7 +212,7 @@ int sheet_open(stage *s, const sheet *t, const paper_row *first, kit_error *err)
     return 0;
 }
 
-/* Which of rows from .. to - 1 are drawn. */
+/* Chooses the rows of from .. to - 1 that are drawn. */
 static chosen choose(const options *o, const sheet *t, int from, int to)
 {
     chosen c = { .count = 0 };
@@ -239,7 +239,7 @@ static int measure(row *drawn, stage *s, const options *o, const sheet *t, const
     }
 }
 
-/* Into their rows and, where the sheet is pictured, the page. */
+/* Copies results into the sheet's rows and, if the sheet is pictured, shows the pictures on the page. */
 static int show(FILE *record, const options *o, const sheet *t, const stage *s, const kit_image *picture,
                 const row *drawn, const chosen *c, row *rows, kit_error *err)
 {
@@ -254,7 +254,7 @@ static int show(FILE *record, const options *o, const sheet *t, const stage *s, 
     return t->pictured > 1 ? draw_crops(record, o, t, s, picture, c, err) : 0;
 }
 
-/* Rows from .. to - 1, which have one radius and one size. */
+/* Draws the rows from .. to - 1, which have one radius and one size. */
 static int draw_group(FILE *record, const options *o, const sheet *t, int from, int to, row *rows, kit_error *err)
 {
     const chosen c = choose(o, t, from, to);

@@ -1,11 +1,11 @@
-/* show.c - a paper's table or figure and what was drawn for it, side by side: csv, text. Declared in sheet.h. */
+/* show.c - prints a paper's table or figure beside the results here, as csv and as text. Declared in sheet.h. */
 #include <math.h>
 #include <string.h>
 #include "lab/measure/csv.h"
 #include "lab/page/page.h"
 #include "lab/papers/sheet.h"
 
-/* Our cell of a row; "" where there is nothing. */
+/* Our cell of a row; "" if there is none. */
 static const char *cell(char text[32], const sheet *t, const row *rows, int i, int c)
 {
     const double v = sheet_value(t, rows, i, c);
@@ -20,7 +20,7 @@ static const char *number(char text[32], double v)
     return text;
 }
 
-/* Of a claim that holds, where it would not; of another, where it would. */
+/* Writes the bounds beyond which a claim that holds would fail, or within which one that fails would hold. */
 static void put_bounds(FILE *f, const claim *c, int holds)
 {
     const int lower = isfinite(c->least), upper = isfinite(c->most);
@@ -66,7 +66,7 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
     return out;
 }
 
-/* ---- >>csv: a line a cell, as FIGURES.md's part is made of ------------------------------------------------------- */
+/* ---- >>csv: a line for each cell, from which FIGURES.md's part is made ------------------------------------------- */
 
 static void csv_cell(FILE *f, const sheet *t, int r, const char *kind, const char *head, const char *text)
 {

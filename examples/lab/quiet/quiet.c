@@ -1,19 +1,10 @@
-/* quiet.c - how much of a picture of ambient visibility the eye sees as mottling, in bands of frequency.
+/* quiet.c - how much noise the eye sees in an image of ambient visibility, in bands of frequency.
+   --help lists the options.
 
-      build/quiet [--scene spheres] [--size 960x540] [--radius R] [--rays 256] [--pictures DIR] [--out build/quiet.csv]
-                  [--context egl] [METHOD[:key=value,..]] ..
-
-   --scene: a built-in scene, random:SEED, or a model's file, which stands on a floor. Without entries: the
-   presets, and what others have (make peers). Of one frame (with a history: of a view that stays, settled) it says how
-   far each entry is, over smooth surfaces in shade (bands.h), from
-     noise   the same settings with 32 slices
-     all     the same walk at full size with 32 slices of 20 samples: noise, and the patterns of few samples and half
-             size
-     truth   what is ray-traced, which has a row of its own: what half of its rays are off by, no less than its grain
-   The first two are known of slices alone (hsao and its presets). CSV, and what is printed:
-   RMS of visibility. report/index.html has charts against milliseconds: measured, of a GPU that draws (--context egl);
-   else modelled, of entries that make cost names, since a CPU's time says nothing of these. --pictures: NN-method.png,
-   and NN-method-band.png: 0.5 + 16 times the bands from 1.2 to 8 pixels: of noise where that is known, or of truth. */
+   Differences are those on smooth surfaces in shade (bands.h). The ones from more slices are
+   known for slices alone (hsao and its presets). Ray tracing has a row of its own, the error of half of its rays, which
+   is no smaller than its noise. The charts' milliseconds are measured if a GPU draws, else modelled for entries that
+   make cost names, as a CPU's time says little about a GPU. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +21,7 @@
 enum { MOST_QUIET = 48, GPU_ROUNDS = 25, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32, WALKED = 20 };
 enum { NOISE, ALL, TRUTH, KINDS };
 
-/* ms: of the GPU that draws, or of DEVICE at 1920x1080; NAN: not known. */
+/* ms: on the GPU that draws, or modelled for DEVICE at 1920x1080; NAN: not known. */
 typedef struct line { char method[64], settings[256], label[336]; double ms; bands of[KINDS]; } line;
 
 typedef struct quiet {
@@ -40,7 +31,7 @@ typedef struct quiet {
     line        line[MOST_LINES];
     stage       stage;
     shaded      shaded;
-    kit_settings walked;                               /* of walk, the last one that was drawn */
+    kit_settings walked;                               /* the settings that walk was drawn with */
     kit_image   walk;
 } quiet;
 
@@ -55,7 +46,7 @@ static int draw(kit_image *out, quiet *q, const char *method, const char *settin
     return failed;
 }
 
-/* What the settings' walk converges to at full size, in q->walk: drawn unless it is there. */
+/* Draws q->walk: the settings at full resolution with many slices and samples. Keeps it if it is there already. */
 static int walk_whole(quiet *q, const char *method, const char *settings, kit_error *err)
 {
     char text[384];
@@ -78,7 +69,7 @@ static int save(const quiet *q, int number, const char *label, const char *endin
     return pictures_save(image, "Y", 0, q->pictures, name, ending, err);
 }
 
-/* The picture beside each reference, NULL: there is none; what is seen of the first of these is kept as a picture. */
+/* Compares a picture with each reference (NULL: not known). The bands of the first reference are saved as a picture. */
 static int compare(quiet *q, int i, const kit_image *picture, const kit_image *const reference[KINDS], kit_error *err)
 {
     line *l = &q->line[i];
@@ -104,7 +95,7 @@ static int measure_entry(quiet *q, int i, kit_error *err)
     char text[320];
     kit_method m;
     if (kit_method_find(&m, l->method, err) || draw(&picture, q, l->method, l->settings, err)) return -1;
-    if (m.pass == SSGI_GL_PASS_HSAO && !m.set.normal_rays) {        /* slices */
+    if (m.pass == SSGI_GL_PASS_HSAO && !m.set.normal_rays) {        /* it gathers by slices */
         snprintf(text, sizeof text, "%s%sslices=%d", l->settings, *l->settings ? "," : "", CONVERGED);
         if (draw(&converged, q, l->method, text, err) || walk_whole(q, l->method, l->settings, err)) return -1;
         reference[NOISE] = &converged;
@@ -116,7 +107,7 @@ static int measure_entry(quiet *q, int i, kit_error *err)
     return failed;
 }
 
-/* How many rows of what others have there are; -1 = failed. */
+/* Measures other libraries' effects. Returns how many rows there are; -1 = failed. */
 static int measure_peers(quiet *q, kit_error *err)
 {
     const kit_image *const reference[KINDS] = { NULL, NULL, &q->stage.truth };
@@ -135,8 +126,8 @@ static int measure_peers(quiet *q, kit_error *err)
     return count;
 }
 
-/* Rays are a sequence whose first half is evenly spread, too. Of independent halves one is off from the whole by as
-   much as the whole is off; of these by more. */
+/* The truth's noise, by the truth of half of its rays. The rays are a sequence whose first half is evenly spread, too.
+   For independent rays the half differs from the whole by the whole's own error; for these by more. */
 static int measure_grain(quiet *q, kit_error *err)
 {
     stage half = q->stage;
@@ -154,7 +145,7 @@ static int measure_grain(quiet *q, kit_error *err)
 
 /* ---- >>milliseconds ---------------------------------------------------------------------------------------------- */
 
-/* Of the chain that an entry is, as make cost has it; weighed, of 1920x1080. */
+/* The modelled milliseconds of an entry's chain by make cost: weighed, at 1920x1080. */
 static double ms_of(const line *l, const csv *costs)
 {
     char name[336];
@@ -251,6 +242,25 @@ static int add_entry(quiet *q, const char *text, kit_error *err)
     return m.lit || m.between ? kit_fail(err, "%s: does not draw ambient visibility of the whole scene", text) : 0;
 }
 
+static const char usage[] = "quiet [options] [METHOD[:KEY=VALUE,..]] ..";
+static const kit_help_entry help[] = {
+    { NULL, "Measures the noise that the eye sees in an image of ambient visibility, in bands of frequency. It draws "
+            "one frame; methods that keep history draw a view that stays until it has settled. For each entry it "
+            "prints the RMS difference from the same settings with 32 slices (noise), from full resolution with 32 "
+            "slices of 20 samples (all), and from ray tracing (truth). It adds charts to report/index.html." },
+    { "METHOD[:KEY=VALUE,..]", "A method of ambient visibility and its settings, as build/render takes them. Without "
+                               "any, the presets are drawn, and the effects that make peers has brought." },
+    { "--scene NAME", "A built-in scene, random:SEED, or the file of a model, which stands on a floor [spheres]." },
+    { "--size WxH", "The size of the image in pixels, each 64 to 8192 [960x540]." },
+    { "--radius R", "The radius, in units of the scene [the scene's own]." },
+    { "--rays N", "The rays of the ground truth for each pixel [256]." },
+    { "--pictures FOLDER", "Writes each image there, NN-METHOD.png, and 16 times its noise, NN-METHOD-band.png." },
+    { "--out F.csv", "The file to write [build/quiet.csv]." },
+    { "--context NAME", "osmesa, egl or egl-es: the source of the GL context. If a GPU draws, milliseconds are "
+                        "measured; otherwise they are estimated." },
+    { NULL, NULL }
+};
+
 static int parse(quiet *q, int argc, char **argv, kit_error *err)
 {
     static const char *const presets[] = { "hsao-fast", "hsao", "hsao:slices=3", "hsao-history", "hsao-best",
@@ -312,6 +322,7 @@ int main(int argc, char **argv)
 {
     static quiet q;
     kit_error err = { "" };
+    if (kit_help(argc, argv, usage, help)) return 0;
     if (parse(&q, argc, argv, &err) || measure(&q, &err)) {
         fprintf(stderr, "quiet: %s\n", err.text);
         return 2;

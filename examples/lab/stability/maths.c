@@ -9,7 +9,7 @@
 
 enum { ANGLES = 73, SPHERE_POINTS = 40000 };
 
-/* What a surface sees as harmonics: all, or, in shade, a cone of 30 degrees, 45 degrees off the normal. */
+/* A surface's visibility as harmonics: open, or, in shade, open in a cone of 30 degrees, 45 degrees off the normal. */
 static void transfer_of(double transfer[16], int shade)
 {
     for (int i = 0; i < SPHERE_POINTS; ++i) {              /* a spiral about the normal, z */
@@ -22,8 +22,8 @@ static void transfer_of(double transfer[16], int shade)
     }
 }
 
-/* What a point's irradiance becomes while a sun of harmonics turns around it, over that of an open surface that faces
-   it. Lowest values. */
+/* A point's irradiance while a sun as harmonics turns around it, over that of an open surface that faces the sun. The
+   number is the lowest value. */
 static int ringing(result *r, int shade, kit_error *err)
 {
     static const char *const labels[3][3] = { { "2 bands", "2 bands, Hann", "2 bands, positive" },
@@ -98,7 +98,7 @@ static int traced(double v[LINE_POINTS], const kit_mesh *table, kit_error *err)
     return 0;
 }
 
-/* Occlusion by the field, with its limits inside of the hull (below 0: as measured). */
+/* Occlusion by the field, with these limits inside of the hull (below 0: the measured ones). */
 static int by_field(double v[LINE_POINTS], const kit_mesh *table, float inside, float power, kit_error *err)
 {
     kit_method made;
@@ -117,7 +117,7 @@ static int by_field(double v[LINE_POINTS], const kit_mesh *table, float inside, 
     return 0;
 }
 
-/* A curve of the values, or of their steps: what a hundredth of the table's size adds. Worst error, largest step. */
+/* A curve of the values, or of their steps over a hundredth of the table. Its number: worst error or largest step. */
 static void line_curve(result *r, const char *label, int method, const double *v, const double *truth, int steps)
 {
     curve *c = curve_new(r, label, method);
@@ -161,8 +161,7 @@ int maths_hull_steps(result *r, kit_error *err) { return through(r, 1, err); }
 
 enum { APPROACH_POINTS = 140, APPROACH_WIDTH = 320, APPROACH_HEIGHT = 180 };
 
-/* How many surfels a scene makes, its distance so many times the nearest. divided: room that is kept from call to
-   call. */
+/* How many surfels a scene makes at a multiple of the nearest distance. divided: room, kept between calls. */
 static int surfels_at(size_t *count, float **divided, const kit_scene *scene, ssgi_surfel_desc d, double times,
                       kit_error *err)
 {
@@ -193,7 +192,7 @@ static int surfels_at(size_t *count, float **divided, const kit_scene *scene, ss
     return 0;
 }
 
-/* How the count of surfels changes a step of 1 % of the distance. Largest change. */
+/* Curves of the change of the surfels' count over a step of 1 % of the distance. The number is the largest change. */
 int maths_popping(result *r, kit_error *err)
 {
     static const struct { const char *label; ssgi_surfel_desc d; } kept[] = {

@@ -6,7 +6,7 @@
 
 /* ---- >>opening --------------------------------------------------------------------------------------------------- */
 
-/* Depth as it would be stored elsewhere. */
+/* Stores depth in another format. */
 static int recode(shot *s, int format, kit_error *err)
 {
     kit_gbuffer *g = &s->gbuffer;
@@ -34,7 +34,7 @@ static int recode(shot *s, int format, kit_error *err)
     return 0;
 }
 
-/* What is scored, and which object each pixel shows. */
+/* Finds the pixels that are scored, and the object that each pixel shows. */
 static int look_around(shot *s, const look *l, kit_error *err)
 {
     const int width = s->gbuffer.width, height = s->gbuffer.height;
@@ -120,7 +120,7 @@ static int drawn(kit_image *out, shot *s, const char *method, const char *set, f
     return picture_drawn(out, &s->gbuffer, &world, method, set, radius, err);
 }
 
-/* Boxes are added; of what casts, one is alone there, if so asked: others go into the ground; all is scaled. */
+/* Adds boxes; hides all other casters in the ground if one alone is asked for; scales the scene. */
 static int furnish(shot *s, const look *l, kit_error *err)
 {
     static const float grey[3] = { 0.7f, 0.7f, 0.7f },
@@ -159,14 +159,14 @@ static int trace(shot *s, const look *l, const int truths[2], kit_error *err)
     if (truths[0] && lit && l->within)
         return kit_truth_lit(&s->truth[0], &s->scene, c, &s->lighting, s->radius, attenuation, 0, l->rays, l->stride,
                              err);
-    /* so small a radius is open: light's own change */
+    /* Nothing blocks at so small a radius: the truth is the change of the light itself. */
     if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo-points", "bounce=none,blur=0", 1e-4f * s->radius, err);
     if (truths[0] && kit_truth_ao(&s->truth[0], &s->scene, c, s->radius, attenuation, l->rays, l->stride, err))
         return -1;
     return truths[1] ? kit_truth_objects(&s->truth[1], &s->scene, c, l->rays, l->stride, err) : 0;
 }
 
-/* Motion vectors of the first box, which goes along the picture's rows: all else stands still, as the camera does. */
+/* Writes the motion vectors of the first box, which moves along the picture's rows; all else stands still. */
 static int tell_motion(shot *s, const look *l, kit_error *err)
 {
     static const float SLACK = 1e-3f;
@@ -263,7 +263,7 @@ double shot_apart(const kit_image *a, const kit_image *b, const float *mask)
     return sqrt(sum / (double)count);
 }
 
-/* A place of an object that stands elsewhere in another frame. */
+/* Carries a place along with its object, which stands elsewhere in another frame. */
 static void carry(float p[3], const float *from, const float *to)
 {
     const float square = from[0] * from[0] + from[1] * from[1] + from[2] * from[2];

@@ -1,4 +1,4 @@
-/* show.c - what sweeps become: figures, tables, pictures of the worst frames. Declared in show.h. */
+/* show.c - shows sweeps: figures, tables, pictures of the worst frames. Declared in show.h. */
 #include "lab/stability/show.h"
 #include <math.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 
 #define OF_ALONE "error over that of the frame alone"
 #define DIFFERENCE "method, truth, difference (full colour: 0.5)"
-/* What the number of a cause is, what its chart shows, and what stands beside a picture. */
+/* For each kind of cause: the meaning of its number, the chart's axis, and the words beside a picture. */
 static const struct { const char *number, *up, *shown; } kinds[] = {
     [ERROR] = { "largest RMSE to the truth", "RMSE to the truth", DIFFERENCE },
     [PRECISION] = { "greatest depth up to which RMSE stays within 0.02", "RMSE to the picture with exact depth",
@@ -32,7 +32,7 @@ static const char *settings_of(const curve *c) { return c->method < 0 ? "" : swe
 
 /* ---- >>page ------------------------------------------------------------------------------------------------------ */
 
-/* The frame where a curve was worst. */
+/* Shows the frame in which a curve was worst. */
 static int show_worst(FILE *record, const cause *c, const curve *v, const char *out, kit_error *err)
 {
     char name[128], note[160], path[4096];
@@ -76,7 +76,7 @@ int show_cause(FILE *record, FILE *csv, const result *r, const char *out, kit_er
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-/* The number of a method, or of what is beside them; "" if there is none. */
+/* The number of a method, or of the reference beside methods; "" if there is none. */
 static const char *number_of(char text[32], const result *r, int method)
 {
     *text = 0;

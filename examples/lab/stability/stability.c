@@ -1,15 +1,9 @@
-/* stability.c - where methods fail: each is swept through a cause of failure, and its error or flicker plotted against
-   it.
+/* stability.c - where methods fail: each method is swept through causes of failure, and its error or flicker is plotted
+   against each. --help lists the options.
 
-      build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     stability.csv, pictures of each
-         cause, which index.html shows, a table at the end
-
-      build/stability --moves [--scene NAME]... [--method METHOD[:SETTINGS]]... [--kind NAME]... [--from SEED]
-         [--width 640] [--rays 64]     how steady methods are while a camera moves past what stands still: a table
-
-   Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c holds what
-   is swept, sweep.c how it is measured, over shot.c's frames; maths.c sweeps the library's maths alone; show.c is what
-   all that becomes. */
+   Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c has the
+   methods and causes; sweep.c measures a sweep over shot.c's frames; maths.c sweeps the library's maths alone; show.c
+   shows the results. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
@@ -21,7 +15,7 @@
 #include "lab/stability/show.h"
 #include "lab/stability/sweep.h"
 
-/* Moves through scenes that nothing was tuned on, and frames as hosts make them, as tables. */
+/* Adds tables of moves through scenes that nothing was tuned on, and of frames as hosts make them. */
 static int add_moves(page *record, const sweep_options *o, kit_error *err)
 {
     for (int hosts = 0; hosts < 2; ++hosts) {
@@ -43,7 +37,7 @@ static int add_moves(page *record, const sweep_options *o, kit_error *err)
     return 0;
 }
 
-/* The record and the CSV of all that was swept. */
+/* Writes the record and the CSV of all sweeps. */
 static int write_all(const sweep_options *o, const result *results, const int *shown, kit_error *err)
 {
     page record, csv;
@@ -151,12 +145,34 @@ static int parse_moves(moves_options *o, int argc, char **argv, kit_error *err)
     return 0;
 }
 
+static const char usage[] = "stability [options] | stability --moves [options]";
+static const kit_help_entry help[] = {
+    { NULL, "Sweeps each method through each cause of failure and measures its error or flicker. It writes "
+            "stability.csv, pictures of each cause and report/index.html, which shows them, and prints a table. An "
+            "option of several values is given several times." },
+    { "--cause NAME", "Sweeps that cause alone. The first column of stability.csv has the names." },
+    { "--method NAME", "Sweeps that method alone." },
+    { "--quick", "A smaller run." },
+    { "--out FOLDER", "The folder to write into [report]." },
+    { NULL, "With --moves it prints a table instead: how steady methods are while a camera moves past things that "
+            "stand still." },
+    { "--scene NAME", "That scene alone." },
+    { "--method METHOD[:KEY=VALUE,..]", "That method alone, with settings as build/render takes them." },
+    { "--kind NAME", "That kind of movement alone: aside, forward, roll, orbit, cut, \"stop and go\", fast, slow, "
+                     "still, jittered, resized or uneven." },
+    { "--from SEED", "The first seed of the scenes [0]." },
+    { "--width PIXELS", "The width of the images, at least 64 [640]. The height is 9/16 of it." },
+    { "--rays N", "The rays of the ground truth for each pixel, at least 16 [64]." },
+    { NULL, NULL }
+};
+
 int main(int argc, char **argv)
 {
     const int moving = argc > 1 && !strcmp(argv[1], "--moves");
     moves_options m;
     sweep_options o;
     kit_error err = { "" };
+    if (kit_help(argc, argv, usage, help)) return 0;
     kit_streams_open();
     if (!sweeps_load(&err) && !(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err))
         && !kit_gl_open(NULL, &err) && !(moving ? moves(&m, NULL, &err) : stability(&o, &err)))

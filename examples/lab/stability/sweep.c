@@ -1,5 +1,5 @@
-/* sweep.c - a method is swept through a cause of failure: its frames become its error, flicker, lag or trail at each
-   value. Declared in sweep.h. */
+/* sweep.c - sweeps a method through a cause of failure: its frames give an error, flicker, lag or trail at each value.
+   Declared in sweep.h. */
 #include "lab/stability/sweep.h"
 #include <math.h>
 #include <stdlib.h>
@@ -20,9 +20,9 @@ static void only_new(shot *s, const shot *last)
     }
 }
 
-/* How much of what was before is still seen: where the truth has changed, the picture's mean difference from the frame
-   alone, counted toward what was. share: of how many pixels of the picture that is more than HELD_MOST, and makes them
-   err by as much more. */
+/* How much of the old picture is still seen, at pixels whose truth has changed: the mean difference to the frame alone,
+   counted toward the old truth. share: instead, the share of all pixels at which this difference is above HELD_MOST,
+   and raises the error by more than HELD_MOST. */
 static const float HELD_MOST = 0.05f;
 static double remains(const shot *s, const shot *before, int m, int share)
 {
@@ -43,9 +43,9 @@ static double remains(const shot *s, const shot *before, int m, int share)
 
 /* ---- >>figures over frames --------------------------------------------------------------------------------------- */
 
-/* How much places that the first frame shows vary: their deviation over the frames; or, of what changes anyway, the
-   second difference, as the deviation of noise that has it (1 -2 1: root of 6). map: the same of each pixel, 0 where it
-   is not known. mean: of what is held. */
+/* The deviation over the frames of places that the first frame shows. second: for light that changes by itself, the
+   root mean square of the second difference instead, divided by the root of 6, which noise would have (1 -2 1). map:
+   the same at each pixel, 0 if not known. mean: of the values. */
 static double flicker(float *map, double *mean, const shot *shots, int frames, const kit_image *const *pictures,
                       int second)
 {
@@ -68,7 +68,7 @@ static double flicker(float *map, double *mean, const shot *shots, int frames, c
     return sqrt(sum / (double)places);
 }
 
-/* All frames' error over that of the frames alone. */
+/* The error of all frames over that of the same frames alone. */
 static double newly_over_alone(const shot *shots, int frames, int m)
 {
     double sum[2] = { 0, 0 };
@@ -81,7 +81,7 @@ static double newly_over_alone(const shot *shots, int frames, int m)
     return sqrt(sum[0] / sum[1]);
 }
 
-/* The most that a frame's error, from first on, is over that of the frame alone. */
+/* The largest ratio of a frame's error to that of the frame alone, from frame first on. */
 static double most_over_alone(const shot *shots, int first, int frames, int m)
 {
     double most = 0;
@@ -93,7 +93,7 @@ static double most_over_alone(const shot *shots, int first, int frames, int m)
     return most;
 }
 
-/* A method's flicker, less the truth's where that is known; of what is beside (m below 0) the truth's. */
+/* A method's flicker, less the truth's except for SECOND; for m below 0 the truth's. */
 static double flicker_of(float *map, const shot *shots, int frames, int kind, int m, int between)
 {
     const kit_image *truths[FRAMES], *pictures[FRAMES];
@@ -110,13 +110,12 @@ static double flicker_of(float *map, const shot *shots, int frames, int kind, in
 
 /* ---- >>points ---------------------------------------------------------------------------------------------------- */
 
-/* Picture, truth and their difference (or what flickers) side by side, of one pixel in stride x stride: as many as the
-   truth has. */
+/* Picture, truth and their difference (or the flicker) side by side, at one pixel of each stride x stride. */
 static int strip(kit_image *out, const kit_image *a, const kit_image *b, const float *map, const look *l, float gain,
                  kit_error *err)
 {
     const int width = l->width / l->stride, height = l->height / l->stride, pixels = width * height;
-    kit_image small[3], colour;                /* what is shown: two of these and the difference of two */
+    kit_image small[3], colour;                /* picture, truth, and the picture whose difference is shown */
     for (int k = 0; k < 3; ++k) {
         if (kit_image_new(&small[k], width, height, "Y", err)) return -1;
         for (int i = 0; i < pixels; ++i) {
@@ -139,13 +138,13 @@ static int strip(kit_image *out, const kit_image *a, const kit_image *b, const f
     return 0;
 }
 
-/* What a curve is compared with in the last frame. */
+/* The picture with which a curve is compared in the last frame. */
 static const kit_image *truth_of(const shot *shots, int frames, int kind, int m, int between)
 {
     return kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &shots[frames - 1].truth[between];
 }
 
-/* A curve's figure, from the frames of one value. map: see flicker; else it stays as it is. */
+/* A curve's figure from the frames of one value. map: see flicker; otherwise it stays as it is. */
 static double figure_of(float *map, const shot *shots, int frames, int kind, int m, int between)
 {
     const shot *s = &shots[frames - 1];
@@ -162,7 +161,7 @@ static double figure_of(float *map, const shot *shots, int frames, int kind, int
     }
 }
 
-/* A point of every curve, from the frames of one value; the worst is kept as a picture. */
+/* Adds a point to every curve from the frames of one value, and keeps the worst one as a picture. */
 static int point_of(result *r, int point, const shot *shots, int frames, const look *l, kit_error *err)
 {
     const int kind = r->cause->kind, flickers = kind == DEVIATION || kind == SECOND || kind == LIT_SECOND;
@@ -191,7 +190,7 @@ static int point_of(result *r, int point, const shot *shots, int frames, const l
     return 0;
 }
 
-/* Where precision holds: the largest value up to which all are within LIMIT. */
+/* The number of a curve of PRECISION: the largest value up to which all errors are at most LIMIT. */
 static const double LIMIT = 0.02;
 static void holds(result *r)
 {
@@ -212,7 +211,7 @@ static int frames_of(const cause *c, double value)
     return c->kind == FOLLOWS || c->kind == NEWLY || (c->kind == DEVIATION && c->of == KEPT) ? FRAMES : 4;
 }
 
-/* A curve a method that is swept, and what is beside them; which truths they want. */
+/* Makes a curve for each method that is swept and for the reference beside them; truths: which ones these need. */
 static void curves_of(result *r, const sweep_options *o, int truths[2])
 {
     static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL, NULL, NULL };
@@ -238,7 +237,7 @@ static int draw(shot *s, int m, int width, kit_frames *kept, kit_error *err)
     return m >= 0 && width <= sweeps_method[m].widest ? shot_draw(s, m, err) : 0;
 }
 
-/* The frames of the v-th value, drawn by all, and the point that they make. done, share: of kit_progress. */
+/* Draws the frames of one value with all methods, and adds the point of each curve. done, share: for kit_progress. */
 static int value_of(result *r, double value, const sweep_options *o, const int truths[2], const char *what, double done,
                     double share, kit_error *err)
 {
@@ -246,7 +245,7 @@ static int value_of(result *r, double value, const sweep_options *o, const int t
     static kit_frames kept[MOST_METHODS];
     const cause *c = r->cause;
     const int frames = frames_of(c, value);
-    const int first = c->kind == DEVIATION && c->of == KEPT ? CHANGED : 0;     /* before, there is no history yet */
+    const int first = c->kind == DEVIATION && c->of == KEPT ? CHANGED : 0;     /* history fills before */
     look l;
     r->x[r->points] = value;
     for (int k = 0; k < frames; ++k) {

@@ -1,4 +1,4 @@
-/* sweep.h - a method is swept through a cause of failure: frames of it are drawn, and become figures. */
+/* sweep.h - sweeps a method through a cause of failure: draws frames, and makes figures of them. */
 #ifndef LAB_SWEEP_H
 #define LAB_SWEEP_H
 
@@ -13,7 +13,7 @@ typedef struct sweep_options {
 /* Whether any of the methods that are asked for is swept through a cause. */
 int sweep_has(const cause *c, const sweep_options *o);
 
-/* what: for kit_progress. The curves' pictures are the caller's to free. */
+/* what: for kit_progress. The caller frees the curves' pictures. */
 int sweep(result *r, const cause *c, const sweep_options *o, const char *what, kit_error *err);
 
 #endif

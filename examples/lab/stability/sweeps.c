@@ -1,5 +1,5 @@
-/* sweeps.c - what is swept: methods, and the causes of failure, each a line of a csv: a scene and one thing in it that
-   changes. Declared in sweeps.h. */
+/* sweeps.c - the methods that are swept, and the causes of failure: each is a line of a csv with a scene and one thing
+   in it that changes. Declared in sweeps.h. */
 #include "lab/stability/sweeps.h"
 #include <math.h>
 #include <stdlib.h>
@@ -24,7 +24,7 @@ const swept sweeps_method[] = {
     { "hsao-2x10-history", "hsao", "samples=10,history=1",          KEPT,           1920 },
     { "ssdo-history", "ssdo",    "bounce=none,history=1",        KEPT | KEPT_LIGHT, 1920 },
     { "ssdo-fast-history", "ssdo-fast", "bounce=none,history=1", KEPT_LIGHT,     1920 },
-    /* at full size, with the reach that a close look wants, 0.7 image heights; 4 levels reach 0.18 */
+    /* at full resolution, with the reach that a close look needs, 0.7 image heights; 4 levels reach 0.18 */
     { "dss",        "dss",        "levels=6,resolution=full",              OF_SURFELS,       1280 },
     { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED,         1280 },
     { "aof",        "aof",        "field_resolution=8,radii=8,rays=64", FIELD,          1920 }
@@ -32,7 +32,7 @@ const swept sweeps_method[] = {
 const int sweeps_methods = sizeof sweeps_method / sizeof *sweeps_method;
 _Static_assert(sizeof sweeps_method / sizeof *sweeps_method <= MOST_METHODS, "more methods than MOST_METHODS");
 
-/* ---- >>looks: what a frame of each cause shows ------------------------------------------------------------------- */
+/* ---- >>looks: the scene of a frame, for each cause --------------------------------------------------------------- */
 
 static void set(float v[3], float x, float y, float z) { v[0] = x; v[1] = y; v[2] = z; }
 static void set_box(float b[6], float x0, float y0, float z0, float x1, float y1, float z1)
@@ -62,7 +62,7 @@ static void tilt_wall(look *l)
     set_box(l->where, -0.3f, -0.1f, -0.6f, 0.351f, 0.6f, 0.6f);
 }
 
-/* Rolled by ten degrees: what is thinner than a pixel is seen here and there. */
+/* Rolled by ten degrees, so that a pole thinner than a pixel shows only here and there. */
 static void pole(look *l)
 {
     const float w = 0.5f * l->value * 2 * 4 * tanf(15 * DEGREE) / (float)l->height;
@@ -94,7 +94,7 @@ static void screen(look *l)
     set_box(l->where, 0, 9.5f, -6.1f, 2 * l->radius, 10.5f, -5.99f);
 }
 
-/* Two sheets side by side, half a radius before a wall; of the wall what is seen between them is scored. */
+/* Two sheets side by side, half a radius before a wall. The part of the wall that is seen between them is scored. */
 static void slot(look *l)
 {
     const float half = 0.5f * 0.3f * l->value;
@@ -113,7 +113,7 @@ static void of_pixels(look *l)
     l->pixels = l->value;
 }
 
-/* The ground along a box' side, as far as it is seen beside an edge: the picture's, or that of a screen in front. */
+/* Scores the ground along a box' side, as far as it is seen beside an edge: the picture's, or a screen's in front. */
 static void along(look *l, float side, float edge, float z0, float z1)
 {
     set_box(l->where, side > edge ? side : edge, -0.1f, z0, (side > edge ? side : edge) + 0.4f, 0.01f, z1);
@@ -128,7 +128,7 @@ static void off_screen(look *l)
     along(l, side, edge, -0.3f, 0.3f);
 }
 
-/* The camera turns to the right: a box whose last 0.15 were in the picture leaves it. */
+/* The camera turns to the right, until a box of which the last 0.15 were in the picture has left it. */
 static void turned_off(look *l)
 {
     const float pixel = 2 * 3.72f * tanf(15 * DEGREE) / (float)l->height, side = -1.62f;
@@ -158,7 +158,7 @@ static void near_plane(look *l)
     set_box(l->where, -0.3f, -0.1f, -0.85f, 0.08f, 0.01f, -0.55f);
 }
 
-/* Depths of 4.9 times a power of two, so that nothing but depth's precision changes. */
+/* Depths are 4.9 times a power of two, so that only the precision of depth changes. */
 static void stored(look *l)
 {
     l->scene = "boxes";
@@ -234,7 +234,7 @@ static void rolled(look *l)
     set(l->up, sinf(a), cosf(a), 0);
 }
 
-/* A box on a floor, so many pixels from the middle; went: since the frame before. */
+/* A box on a floor, so many pixels from the middle. went: pixels that it moved since the frame before. */
 static void box_at(look *l, float pixels, float went)
 {
     const float pixel = 2 * 5 * tanf(15 * DEGREE) / (float)l->height, x = pixels * pixel;
@@ -244,10 +244,10 @@ static void box_at(look *l, float pixels, float went)
     set_box(l->box[0], x - 0.4f, 0.001f, -0.4f, x + 0.4f, 0.7f, 0.4f);
 }
 static void slid(look *l) { box_at(l, l->value * (float)(l->frame - CHANGED), l->value); }
-/* What was not there before has not moved. */
+/* The box was not there before, so it has not moved. */
 static void appeared(look *l) { box_at(l, l->frame < CHANGED ? 1000 : 0, 0); }
 static void vanished(look *l) { box_at(l, l->frame < CHANGED ? -20 : 20, l->frame == CHANGED ? 40 : 0); }
-/* Nothing says that it is another view: the worst that a cut can do. */
+/* Nothing tells the method that the view is another one: the worst case of a cut. */
 static void jumped(look *l)
 {
     l->scene = "casters";
@@ -273,7 +273,8 @@ static const struct { const char *name; int (*curves)(result *r, kit_error *err)
 cause sweeps_cause[MOST_CAUSES];
 int sweeps_causes;
 
-/* Which of words, separated by blanks, a text begins with, up to a + or its end; -1: none. */
+/* The index of the word with which a text begins, up to a + or its end; -1: no such word. words: separated by
+   blanks. */
 static int word(const char *words, const char *text)
 {
     const size_t length = strcspn(text, "+");
@@ -286,7 +287,7 @@ static int word(const char *words, const char *text)
     return -1;
 }
 
-/* A cause of the fields of its line; 0: one of them is none. */
+/* Makes a cause of the fields of a line; 0: one of them is wrong. */
 static int cause_of(cause *c, char *const *f)
 {
     *c = (cause){ .name = f[0], .title = f[1], .across = f[2], .about = f[3], .holds = f[15], .bounds = f[16] };
@@ -317,7 +318,7 @@ int sweeps_load(kit_error *err)
 
     char *at, *f[FIELDS];
     size_t size;
-    if (kit_file_read(&at, &size, SWEEPS_CAUSES, err)) return -1;   /* it stays: causes point into it */
+    if (kit_file_read(&at, &size, SWEEPS_CAUSES, err)) return -1;   /* not freed, as causes point into it */
     for (at += strcspn(at, "\n") + 1, sweeps_causes = 0; *at; ++sweeps_causes) {
         for (int k = 0; k < FIELDS; ++k) f[k] = page_field(&at);
         if (sweeps_causes == MOST_CAUSES || !cause_of(&sweeps_cause[sweeps_causes], f))

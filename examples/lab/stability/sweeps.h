@@ -1,4 +1,4 @@
-/* sweeps.h - what is swept: methods, and the causes of failure, each a scene and one thing in it that changes. */
+/* sweeps.h - the methods that are swept, and the causes of failure, each a scene and one thing in it that changes. */
 #ifndef LAB_SWEEPS_H
 #define LAB_SWEEPS_H
 
@@ -8,8 +8,8 @@
 
 /* ---- >>methods --------------------------------------------------------------------------------------------------- */
 
-/* What a method is shown with: all that reads the screen; light, which is ambient visibility when it is white and from
-   everywhere; surfels; fields; what back faces mends; a sun that turns. */
+/* The groups of methods that a cause is tried with: all that read the screen; light, which equals ambient visibility if
+   it is white from everywhere; surfels; fields; methods that back faces help; a sun that turns. */
 enum {
     SCREEN = 1,
     LIGHT = 2,
@@ -17,11 +17,11 @@ enum {
     FIELD = 8,
     THIN = 16,
     TURNED = 32,
-    KEPT = 64 /* over frames */,
+    KEPT = 64 /* with history */,
     KEPT_LIGHT = 128 /* the same, of light */,
     AMBIENT = SCREEN | LIGHT | OF_SURFELS
 };
-/* widest: picture that it is drawn at */
+/* widest: the largest width that it is drawn at */
 typedef struct swept { const char *label, *method, *settings; int of, widest; } swept;
 enum { MOST_METHODS = 24 };
 extern const swept sweeps_method[];
@@ -29,59 +29,59 @@ extern const int sweeps_methods;
 
 /* ---- >>causes ---------------------------------------------------------------------------------------------------- */
 
-/* how depth is stored: view depth as 32F; as 16F; window depth */
+/* how depth is stored: view depth as 32F; as 16F; then window depth */
 enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
 enum { BOXES = 3, SUN_DEGREES = 3, MOST_VALUES = 12 };
-/* What a frame shows; what is 0 is the scene's own. */
+/* A frame of a cause. Members that are 0 are the scene's own. */
 typedef struct look {
-    float value;                           /* of the cause, at which frame of it */
+    float value;                           /* the cause's value, and the number of its frame */
     int   frame;
-    const char *scene, *only;              /* only: of what casts the first of that name is there alone, placed */
+    const char *scene, *only;              /* only: the name of the one caster that stays, at placed */
     float placed[16], box[BOXES][6];       /* boxes with y1 > y0 are added */
     float eye[3], target[3], up[3], fovy, znear, zfar;
-    /* of the whole scene; the camera then moves by so many of the target's pixels to the right, by that share of the
-       way to it, rolls, and goes around the target, in degrees */
+    /* scale of the whole scene; then the camera moves so many of the target's pixels to the right, this share of the
+       way to the target, rolls, and orbits the target, in degrees */
     float scale, aside, nearer, roll, orbit;
     float shift[2];                        /* jitter of the projection, in pixels */
-    float radius, pixels;                  /* pixels: of the radius at the target */
-    float where[6];                        /* what is scored: bounds, on each axis where the lower one is lower */
-    float sun[3], dimmed;                  /* direction to the sun, in the sky, and the share of it that is taken away;
-                                              else light is white from everywhere */
+    float radius, pixels;                  /* pixels: the radius in pixels at the target */
+    float where[6];                        /* bounds of the scored places, on axes with lower < upper */
+    float sun[3], dimmed;                  /* direction to a sun in the sky, and the share of it that is taken away;
+                                              without it light is white from everywhere */
     float went;                            /* how far the first box moved along x since the frame before */
     int   told;                            /* 1: with motion vectors */
-    int   format, width, height, stride, rays, within;   /* within: the truth of a sun is traced, within the radius */
+    int   format, width, height, stride, rays, within;   /* within: the truth of a sun is traced within the radius */
 } look;
 
-/* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
-   reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
-   surface's; with history, RMSE over that of the frame alone, the most of a sequence, so many frames after CHANGED,
-   and, all frames together, where the frame before showed something else; after CHANGED, what is left of what was, and
-   the share of pixels where that is more than 0.05. */
+/* Kinds of figures: RMSE to the truth; RMSE to the same picture with exact depth; deviation over frames after
+   reprojection, less the truth's; second difference over frames; that of light, over its mean, less an open surface's.
+   With history: RMSE over that of the frame alone, the largest of a sequence; the same so many frames after CHANGED;
+   the same over all frames, at places that the frame before did not show; after CHANGED, the rest of the old picture,
+   and the share of pixels where it is more than 0.05. */
 enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL, HELD };
 enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
-    const char *name, *title, *across, *about;     /* across: what varies, and its unit */
+    const char *name, *title, *across, *about;     /* across: the value that varies, and its unit */
     int kind, of, width, rays, log;        /* log: the axis is logarithmic */
     void (*at)(look *l);
     double value[MOST_VALUES];             /* up to the first 0 after the first value */
-    int told, format;                      /* with motion vectors; how depth is stored */
-    int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
-    const char *number, *up;               /* what the number is, and the chart's other axis; NULL = the kind's */
-    /* What the test group stability holds of the quick values, "": nothing: a sentence, and bounds of curves' numbers,
-       "label=least,most|...", no label: of what is seen beside the methods. */
+    int told, format;                      /* told: with motion vectors; format: of depth */
+    int (*curves)(result *r, kit_error *err);      /* instead of frames: sweeps the library's maths */
+    const char *number, *up;               /* the number's meaning, the chart's other axis; NULL: the kind's */
+    /* A sentence that the test group stability holds for the quick values ("": none), and bounds of curves' numbers:
+       "label=least,most|...". Without a label they are of the reference beside the methods. */
     const char *holds, *bounds;
 } cause;
 
 enum { MOST_CAUSES = 48 };
 extern cause sweeps_cause[MOST_CAUSES];
 extern int sweeps_causes;
-/* Their lines; to be read before the others ask. Columns: as cause has them; of: words with + between; depth: as format
-   names it; look: a function of sweeps.c or, without values, of maths.c. */
+/* Reads the lines of causes; call it first. Columns: see cause; of: words with + between; depth: a name of format;
+   look: a function of sweeps.c or, without values, of maths.c. */
 #define SWEEPS_CAUSES "examples/lab/stability/causes.csv"
 int sweeps_load(kit_error *err);
 
-/* What a frame of a cause shows, at a value. */
+/* The look of a cause at a value, in one of its frames. */
 look sweeps_look(const cause *c, double value, int frame);
 
 #endif

@@ -1,26 +1,26 @@
 #!/usr/bin/env python3
-"""Makes a frame for build/render --gbuffer, with its camera, of a captured depth buffer and its projection.
+"""Makes a frame for build/render --gbuffer from a captured depth buffer and its projection.
 
   capture.py DEPTH FRAME.exr --projection=M0,M1,..,M15 [--gl]
   capture.py DEPTH FRAME.exr --fovy=DEGREES --near=N [--far=F] [--reversed]
   capture.py DEPTH FRAME.exr --linear --fovy=DEGREES
   build/render --gbuffer FRAME.exr --radius 0.5 --out ao.png
 
-DEPTH is a PNG, an EXR, or with --size=WxH a file of raw floats. It holds what the buffer does, in [0,1], the picture's
-top row first (--bottom-up: last, as glReadPixels has it); cleared is nothing. --linear: it holds view depth, 0 or less
-or 1e9 and more is nothing. The 16 numbers lie as in memory: the 12th is -1 or 1; or it is 0, and the 16th 1
-(orthographic). --gl: clip space as OpenGL has it, -1 to 1. Without --far it is infinite. --radius=R is kept in the
-frame; --channel=NAME: of an EXR.
+DEPTH is a PNG, an EXR or, with --size=WxH, a file of raw floats. It has the buffer's values, in [0,1], with the
+picture's top row first (--bottom-up: last, as from glReadPixels). The clear value is background. --linear: the values
+are view depths; values of 0 or less, or from 1e9 on, are background. The 16 numbers are in the order of memory: the
+12th is -1 or 1, or, for an orthographic camera, 0 with a 16th of 1. --gl: clip space as in OpenGL, -1 to 1. Without
+--far the far plane is at infinity. --radius=R is stored in the frame; --channel=NAME selects a channel of an EXR.
 
---normals=FILE: an RGB PNG of n/2 + 1/2, an EXR (X Y Z or R G B), or raw floats, three a pixel; y is up and z toward the
-eye in view space. --view=M0,M1,..,M15 (world to view, as in memory) places the camera; with --world normals are of the
-world, and turned by it. Python alone is needed."""
+--normals=FILE: an RGB PNG of n/2 + 1/2, an EXR (X Y Z or R G B), or raw floats, three a pixel; in view space, y is up
+and z points to the eye. --view=M0,M1,..,M15 (world to view, in the order of memory) places the camera; with --world
+normals are in world space and are rotated by it. Only Python is needed."""
 import argparse, math, struct, sys, zlib
 sys.dont_write_bytecode = True
 import pictures
 
 def projection_of(a, aspect):
-    """By 1/depth, which is linear in what the buffer holds."""
+    """Uses 1/depth, which is linear in window depth."""
     y = 1 / math.tan(math.radians(a.fovy) / 2)
     if a.linear: return [y / aspect, 0, 0, 0, 0, y, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0]
     first, last = (1 / a.far, 1 / a.near) if a.reversed else (1 / a.near, 1 / a.far)
@@ -30,11 +30,12 @@ def projection_of(a, aspect):
 def view_depth(m, clip):
     below = clip * m[11] - m[10]
     depth = m[11] * (m[14] - clip * m[15]) / below if below and m[11] else math.inf
-    return depth if 0 < depth < 1e30 else 0                         # 0: nothing, or infinitely far
+    return depth if 0 < depth < 1e30 else 0                         # 0: background or infinitely far
 
 def depths_of(values, m, a):
-    """Depths, and by how much they are more than in view space: those of an orthographic camera begin at the near plane
-    where the eye is behind that or far away, as a frame's depths are above 0 and floats."""
+    """View depths, and the amount by which they exceed those in view space. An orthographic camera's depths begin at
+    the near
+        plane if the eye is behind it or far away, because a frame's depths must be above 0 and fit floats."""
     if a.linear: return [depth if 0 < depth < 1e9 else 0 for depth in values], 0
     clip_of = lambda depth: 2 * depth - 1 if a.gl and a.projection else depth
     if m[11]:
@@ -42,20 +43,21 @@ def depths_of(values, m, a):
         cleared = ends.index(max(ends))
         return [0 if depth == cleared else view_depth(m, clip_of(depth)) for depth in values], 0
     ends = [(m[14] - clip_of(depth)) / m[10] for depth in (0, 1)]
-    if max(ends) <= 0: ends = [-depth for depth in ends]            # left-handed
+    if max(ends) <= 0: ends = [-depth for depth in ends]            # a left-handed projection
     near, deep, cleared = min(ends), max(ends) - min(ends), ends.index(max(ends))
     more = 0 if 0 < near <= deep else 1e-3 * deep - near
     along = lambda depth: ends[0] + depth * (ends[1] - ends[0]) + more
     return [0 if depth == cleared or not 0 <= depth <= 1 else along(depth) for depth in values], more
 
 def turned(normals, view):
-    """Of the world, each channel apart, to view space."""
+    """World-space normals, as three channels, to view space."""
     x, y, z = normals
     return [[view[k] * a + view[4 + k] * b + view[8 + k] * c for a, b, c in zip(x, y, z)] for k in range(3)]
 
 def write_frame(path, wide, high, z, normals, m, view, radius):
-    """Without a view the camera is at the origin of a right-handed world and looks down -z. The file's camera looks
-    down +z: its z is turned round."""
+    """Writes the frame. Without a view the camera is at the origin of a right-handed world and looks down -z. The
+    file's
+        camera looks down +z, so its z is negated."""
     if not any(z): raise ValueError('shows nothing by this projection')
     width, height = 2 / abs(m[0]), 2 / abs(m[5])
     centre = [-(m[8 + i] * m[11] if m[11] else m[12 + i]) / m[5 * i] for i in (0, 1)]
@@ -70,7 +72,7 @@ def write_frame(path, wide, high, z, normals, m, view, radius):
 def numbers(text): return [float(number) for number in text.replace(',', ' ').split()]
 
 def read(path, a, channels):
-    """Each of so many channels' values, the top row first; a single one of an EXR is a.channel. Width, height, them."""
+    """Reads width, height and each channel's values, the top row first; a single channel of an EXR is a.channel."""
     with open(path, 'rb') as file: data = file.read()
     if a.size: wide, high, found = pictures.raw(data, *a.size, channels)
     elif data[:4] == b'\x89PNG': wide, high, found = pictures.png(data, channels)
@@ -106,7 +108,7 @@ try:
         normals = turned(normals, a.view) if a.world else normals
     path = a.depth
     view = a.view or [float(i % 5 == 0) for i in range(16)]
-    view[14] -= more                                                # the eye that depths are counted from
+    view[14] -= more                                                # the eye from which depths are measured
     write_frame(a.frame, wide, high, z, normals, m, view, a.radius)
 except OSError as why: ask.error(str(why))
 except ValueError as why: ask.error(f'{path}: {why}')

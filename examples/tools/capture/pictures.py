@@ -1,4 +1,4 @@
-"""Channels of a PNG, an EXR or raw floats, read and written with Python's own library alone: width, height, each
+"""Reads and writes channels of a PNG, an EXR or raw floats, with only Python's own library: width, height, each
 channel's values row by row from the top."""
 import itertools, os, re, zlib
 from struct import calcsize, pack, unpack, unpack_from
@@ -9,14 +9,14 @@ def unpacked(data, size):
     return found
 
 def raw(data, wide, high, channels):
-    """Floats of the machine's own order, a pixel's side by side."""
+    """Reads floats in the machine's byte order, channels interleaved."""
     count = wide * high * channels
     if len(data) != 4 * count: raise ValueError(f'must have {4 * count} bytes, has {len(data)}')
     values = unpack(f'={count}f', data)
     return wide, high, [values[c::channels] for c in range(channels)]
 
 def png(data, channels):
-    """Grey of 16 bits, as numbers in [0,1]; three channels: RGB of 8 or 16, as normals in [-1,1]."""
+    """Reads grey of 16 bits as numbers in [0,1]; or three channels, RGB of 8 or 16 bits, as normals in [-1,1]."""
     wide, high, *kind = unpack_from('>IIBBBBB', data, 16)
     if kind[1:] != [2 * (channels == 3), 0, 0, 0] or kind[0] not in ((8, 16) if channels == 3 else (16,)):
         raise ValueError(f'must be {"RGB of 8 or" if channels == 3 else "grey, of"} 16 bits, not interlaced')
@@ -39,8 +39,9 @@ def png(data, channels):
     return wide, high, [[2 * v - 1 for v in values[c::3]] for c in range(3)] if channels == 3 else [values]
 
 def exr(data, channels, wanted):
-    """Halves or floats in rows, uncompressed or ZIP. One channel: of that name; None: Z, D, R, or the first one. Three:
-    those whose names end in X Y Z, or in R G B."""
+    """Reads halves or floats in scanlines, uncompressed or ZIP. One channel: by its name; None: Z, D, R, or the first
+    one.
+        Three: those whose names end in X Y Z, or in R G B."""
     if data[:4] != b'v/1\1': raise ValueError('is neither PNG nor EXR')
     at, head = 8, {}
     while data[at]:
@@ -65,7 +66,7 @@ def exr(data, channels, wanted):
     for k, start in enumerate(unpack_from(f'<{-(-high // rows)}Q', data, at + 1)):
         size, whole = unpack_from('<I', data, start + 4)[0], calcsize(row) * min(rows, high - k * rows)
         chunk = data[start + 8:start + 8 + size]
-        if size < whole:                   # differences of all even bytes, then of all odd ones
+        if size < whole:                   # first the differences of even bytes, then of odd ones
             sums = enumerate(itertools.accumulate(unpacked(chunk, whole)))
             chunk = bytes((byte - 128 * i) & 255 for i, byte in sums)
             chunk = bytes(byte for pair in zip(chunk[:whole // 2], chunk[whole // 2:]) for byte in pair)
@@ -75,7 +76,7 @@ def exr(data, channels, wanted):
     return wide, high, [values for _, values in found]
 
 def write_exr(path, wide, high, channels, *more):
-    """Channels by name, uncompressed. more: attributes of the header as (name, type, format, numbers ..)."""
+    """Writes channels by name, uncompressed. more: attributes of the header as (name, type, format, numbers ..)."""
     box, names = (0, 0, wide - 1, high - 1), sorted(channels)
     listed = b''.join(name.encode() + b'\0' + pack('<4I', 2, 0, 1, 1) for name in names) + b'\0'
     header = b'channels\0chlist\0' + pack('<I', len(listed)) + listed

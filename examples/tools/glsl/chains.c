@@ -1,9 +1,9 @@
-/* chains.c - the chains that are written, counted and checked, and their steps. Declared in chains.h. */
+/* chains.c - the chains whose shaders are written, counted and checked, and their steps. Declared in chains.h. */
 #include "tools/glsl/chains.h"
 #include <stdio.h>
 #include <string.h>
 
-/* Beside the library's methods: what their settings bring, each alone. */
+/* In addition to the library's methods: single settings of theirs. */
 static const char *const variations[] = {
     "hsao-fast,history=1", "hsao-best,history=1", "hsao-fast,thickness=SLABS", "hsao-history,thickness=SLABS",
     "hsao,thickness=SLABS", "hsao-best,thickness=SLABS", "hsao,thickness=BACK", "hsao,depth=LINEAR",

@@ -1,32 +1,30 @@
-/* glsl.c - writes the text of every pass in every dialect, with every choice that changes it, as plain files for
-   reading, diffing and validating.
+/* glsl.c - writes the shaders of every pass in every dialect, with every choice that changes them, as plain files to be
+   read, compared and validated.
 
-      build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.facets.frag:
-         one field changed; in 450 two, too:
-                                     FOLDER/hsao.450.thickness-slabs.half-first.frag
+     build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.facets.frag: one
+                                    field changed; in 450 also two: FOLDER/hsao.450.thickness-slabs.half-first.frag
 
-   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag .comp. Functions
-   for shaders of yours: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field); FOLDER/hsao.half-first.glsl
-   (ssgi_gl_read reads what that pass wrote); FOLDER/sh4.glsl (ssgi_gl_sh(.., 4)), and so on; FOLDER/reflection.glsl
-   (ssgi_gl_reflection). ssdo's default here is an environment map. translate.sh makes WGSL, HLSL and MSL of
-   FOLDER/hsao.vulkan.frag and its like: make glsl WGSL=1.
+   Each shader is in one file: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag .comp.
+   Functions for shaders of your own: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field);
+   FOLDER/hsao.half-first.glsl (ssgi_gl_read: reads the result of that pass); FOLDER/sh4.glsl (ssgi_gl_sh(.., 4)), and
+   so on; FOLDER/reflection.glsl (ssgi_gl_reflection). ssdo's default here is an environment map. translate.sh
+   translates FOLDER/hsao.vulkan.frag and the other Vulkan shaders to WGSL, HLSL and MSL: make glsl WGSL=1.
 
-   FOLDER/manifest.json says which files belong together and what they read and write, and what the fields of
-   ssgi_gl_desc and the members of the blocks are (its "about" explains it): for build steps in any language.
+   FOLDER/manifest.json is for build steps in any language. It lists the files that belong together with their inputs
+   and outputs, the fields of ssgi_gl_desc and the members of the blocks; its "about" explains it.
 
-      build/glsl-text FOLDER 300es   one dialect alone
+     build/glsl-text FOLDER 300es   only one dialect
 
-   FOLDER/hsao-fast.1-hsao.vulkan.frag: the first step of a method (ssgi_gl_method_at), unless a file above has the
-   same text; manifest.json has the chains with their steps in order.
+   FOLDER/hsao-fast.1-hsao.vulkan.frag: the first step of a method (ssgi_gl_method_at), unless a file above has the same
+   shader; manifest.json has the chains with their steps in order.
 
-      build/glsl-text --chains       the methods, and settings of them that are checked, too
-      build/glsl-text --chain hsao,depth=LINEAR --wgsl FOLDER   those alone, as ssgi_gl_chain_of takes them, or
-                                 all; in as many of --330 .. --vulkan and of what translate.sh makes: --spv --wgsl
-                                 --hlsl --msl
-      build/glsl-text --types        the fields of ssgi_gl_desc and members of ssgi_gl_frame as TypeScript
+     build/glsl-text --chains       lists the methods, and those with other settings that are checked, too
+     build/glsl-text --chain hsao,depth=LINEAR --wgsl FOLDER   only these chains, as ssgi_gl_chain_of takes them, or
+                                all; in any of --330 .. --vulkan and of translate.sh's --spv --wgsl --hlsl --msl
+     build/glsl-text --types        the fields of ssgi_gl_desc and members of ssgi_gl_frame as TypeScript
 
-      build/glsl-text --passes ssgi_gl.h   examples/docs/PASSES.md: what each pass reads and writes, from reflection;
-                                 the fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it */
+     build/glsl-text --passes ssgi_gl.h   examples/docs/PASSES.md: each pass's inputs and outputs, by reflection; the
+                                fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it */
 #include "kit/kit_gl.h"
 #include <errno.h>
 #include <spawn.h>
@@ -57,11 +55,11 @@ static int write_file(const char *path, char *text, size_t n)
     return bad ? -1 : 0;
 }
 
-/* The text of a stage, or with SSGI_GL_STAGES of functions alone, for the caller to free; NULL: there is none. */
+/* The shader of a stage, or for SSGI_GL_STAGES its functions only; the caller frees it. NULL: there is none. */
 static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
 {
     char *text = NULL;
-    for (int turn = 0; turn < 2; ++turn) {      /* how long it is, then the text */
+    for (int turn = 0; turn < 2; ++turn) {      /* first the length, then the shader */
         *n = kind < SSGI_GL_STAGES            ? ssgi_gl_emit(text, text ? *n + 1 : 0, d, kind)
              : d->pass == SSGI_GL_PASS_AOF ? ssgi_gl_field(text, text ? *n + 1 : 0, d)
                                               : ssgi_gl_read(text, text ? *n + 1 : 0, d);
@@ -71,8 +69,8 @@ static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
     return text;
 }
 
-/* The file that holds the text of a stage: one that was written before, or the one of that name, its dialect and
-   ending behind it. *name NULL: there is no such text. */
+/* Writes the shader of a stage to a file of that stem, dialect and ending, unless an earlier file has the same shader.
+   *name: the file that has it; NULL: there is no such stage. */
 static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const char *stem, const char *more,
                       const char **name)
 {
@@ -94,7 +92,7 @@ static int write_text(const char *folder, const ssgi_gl_desc *d, int kind, const
     return write_file(path, text, n);
 }
 
-/* The texts of a desc: of every stage; of functions alone, where at most one choice is changed. */
+/* Writes the shaders of a desc: of every stage, and its functions if at most one choice is changed. */
 static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
     const char *together[SSGI_GL_STAGES + 1] = { NULL };
@@ -109,7 +107,7 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
 
 /* ---- >>chains ---------------------------------------------------------------------------------------------------- */
 
-/* A chain's texts in a dialect. 0: written, or that dialect has not what the chain asks for (*err says what). */
+/* Writes a chain's shaders in a dialect. 0: written, or the dialect lacks a feature of the chain (*err names it). */
 static int write_chain(const char *folder, const char *name, const char *about, const ssgi_gl_chain *chain, int dialect,
                        kit_error *err)
 {
@@ -127,7 +125,7 @@ static int write_chain(const char *folder, const char *name, const char *about, 
     return 0;
 }
 
-/* Those that have a name, in the dialects that have what they ask for. */
+/* Writes the named chains in the dialects that have the features that they need. */
 static int write_named_chains(const char *folder, int dialect, kit_error *err)
 {
     const char *name;
@@ -154,7 +152,7 @@ static int write_manifest(const char *folder, kit_error *err)
     return 0;
 }
 
-/* The languages that translate.sh makes of a folder's texts of dialect vulkan. */
+/* Runs translate.sh on a folder's Vulkan shaders for these languages. */
 static int translate(const char *folder, const char *const *targets, int count, kit_error *err)
 {
     static const char script[] = "examples/tools/glsl/translate.sh";
@@ -172,7 +170,7 @@ static int translate(const char *folder, const char *const *targets, int count, 
 
 /* ---- >>passes: as Markdown --------------------------------------------------------------------------------------- */
 
-/* An item of a list, gathered, then printed in lines of at most 120 columns. */
+/* An item of a list; it is collected and then printed in lines of at most 120 columns. */
 static struct { char text[8192]; size_t length; } item;
 
 static void __attribute__((format(printf, 1, 2))) add(const char *format, ...)
@@ -193,14 +191,14 @@ static void print_item(void)
     item.length = 0;
 }
 
-/* The first [tag: ..] of a comment, after a word. */
+/* Adds a word and the content of the first [tag: ..] of a comment. */
 static void add_tag(const char *word, const char *comment, const char *end, const char *tag)
 {
     const char *at = strstr(comment, tag);
     if (at && at < end) add("%s %.*s", word, (int)strcspn(at + strlen(tag), "]"), at + strlen(tag));
 }
 
-/* Where the header's comment of a field begins, and at *end where it ends; NULL where the field has none. A field is
+/* Finds the header's comment on a field: where it begins and, in *end, where it ends; NULL: it has none. A field is
    "gather.samples" or "shader.version", or "gather" for the group itself. */
 static const char *comment_of(const char *header, const char *field, const char **end)
 {
@@ -282,7 +280,7 @@ static int print_fields(const char *path, kit_error *err)
     return 0;
 }
 
-/* What each pass reads and writes. */
+/* The inputs and outputs of each pass. */
 static void print_passes(void)
 {
     static const char *const words[3] = { "reads", "per frame", "writes" };
@@ -381,7 +379,7 @@ static void list_chains(void)
         printf("%-14s%s%s\n", name, *chain_about(name) ? " " : "", chain_about(name));
 }
 
-/* Every pass, dialect (or one alone, >= 0) and choice; every chain that has a name. */
+/* Writes every pass and choice in every dialect (or in one, >= 0), and every chain that has a name. */
 static int write_all(const char *folder, int alone, kit_error *err)
 {
     if (make_folder(folder, err)) return -1;
@@ -395,7 +393,7 @@ static int write_all(const char *folder, int alone, kit_error *err)
                 }
     for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
         if ((alone < 0 || alone == dialect) && write_named_chains(folder, dialect, err)) return -1;
-    for (int bands = 0; bands <= 4; ++bands) {      /* 0: the functions of reflections */
+    for (int bands = 0; bands <= 4; ++bands) {      /* 0: the functions for reflections */
         const size_t n = bands ? ssgi_gl_sh(NULL, 0, bands) : ssgi_gl_reflection(NULL, 0);
         char *text = malloc(n + 1), path[1024];
         if (text && bands) ssgi_gl_sh(text, n + 1, bands);
@@ -413,7 +411,6 @@ static int has_chain(int argc, char **argv)
     return 0;
 }
 
-/* What is asked for; 0: done, 1: nothing that there is, -1: failed. */
 static const char usage[] =
     "usage: glsl-text --chain CHAIN .. --LANGUAGE .. FOLDER\n"
     "                                    the shaders of chains, as hsao,balanced,thickness=back. LANGUAGE is\n"
@@ -424,6 +421,7 @@ static const char usage[] =
     "       glsl-text --types            the TypeScript types of fields\n"
     "       glsl-text --help | --version\n";
 
+/* Runs the command line. 0: done, 1: it is wrong, -1: failed. */
 static int run(int argc, char **argv, kit_error *err)
 {
     if (has_chain(argc, argv)) return do_chains(argc, argv, err);

@@ -1,4 +1,4 @@
-/* manifest.c - the manifest beside the texts of make glsl, from what the library says of itself. Declared in
+/* manifest.c - the manifest of the shaders that make glsl writes, made by the library's functions. Declared in
    manifest.h. */
 #include "tools/glsl/manifest.h"
 #include "tools/glsl/chains.h"
@@ -9,14 +9,14 @@
 const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "comp",
                                                       "glsl" };
 
-/* Lines of the manifest, each once: an entry's number stands for it. */
+/* Tables of the manifest's lines, each line once; other entries refer to a line by its number. */
 enum { MOST = 1 << 14, BUCKETS = 1 << 15 };
 typedef struct table { char *line[MOST]; int count, bucket[BUCKETS]; } table;
 static table rows, lists, variants, functions, formats, chains;
-static const char *fetch[2] = { "", "" };       /* what CUSTOM variants have; those for Vulkan */
+static const char *fetch[2] = { "", "" };       /* desc.shader.fetch of CUSTOM variants; of those for Vulkan */
 
-/* The number of a line, which is added unless it is there; key: the part of it that tells it from others. Without a
-   line: of the one with that key, or -1. */
+/* The number of a line, which is added if it is new; key: the part of it that identifies it. Without a line: the number
+   of the line with that key, or -1. */
 static int number_of(table *t, const char *key, const char *line)
 {
     uint64_t h = kit_hash(KIT_HASH, key, strlen(key));
@@ -31,7 +31,7 @@ static int number_of(table *t, const char *key, const char *line)
     }
 }
 
-/* Word i of those that a field's values have; at the empty end of them when there are fewer. */
+/* Word i of a field's values; an empty one past the last. */
 static const char *word_at(const ssgi_gl_choice *c, int i, int *length)
 {
     const char *s = c->values;
@@ -40,7 +40,7 @@ static const char *word_at(const ssgi_gl_choice *c, int i, int *length)
     return s;
 }
 
-/* The fields that are not 0, and the pass; enums by their words. */
+/* Writes the pass and the fields that are not 0; enums by their words. */
 static void put_desc(FILE *f, const ssgi_gl_desc *d)
 {
     const ssgi_gl_choice *c;
@@ -111,7 +111,7 @@ void manifest_variant(const ssgi_gl_desc *d, const char *const files[SSGI_GL_STA
 
 /* ---- chains ------------------------------------------------------------------------------------------------------ */
 
-static const char *const sizes[] = { "FULL", "HALF", "LEVELS", "TILES", "QUARTER" };
+static const char *const scales[] = { "FULL", "HALF", "LEVELS", "TILES", "QUARTER" };
 
 static int format_number(const ssgi_gl_format *format)
 {
@@ -124,7 +124,7 @@ static int format_number(const ssgi_gl_format *format)
     return number_of(&formats, line, line);
 }
 
-/* What a step draws into, each texture once, by its number. */
+/* Writes the textures that steps draw into, each once, by number. */
 static void put_textures(FILE *f, const ssgi_gl_step *steps, int count)
 {
     static const char *const results[] = { "NONE", "LIGHT", "BOUNCE" };
@@ -137,8 +137,8 @@ static void put_textures(FILE *f, const ssgi_gl_step *steps, int count)
                 const ssgi_gl_output *o = &steps[i].output[k];
                 if (o->texture != texture) continue;
                 found = 1;
-                fprintf(f, "%s\n  { \"format\": %d, \"size\": \"%s\", \"slices\": %d, \"kept\": %d, "
-                           "\"result\": \"%s\" }", between, format_number(o->format), sizes[steps[i].size], o->slices,
+                fprintf(f, "%s\n  { \"format\": %d, \"scale\": \"%s\", \"layers\": %d, \"kept\": %d, "
+                           "\"result\": \"%s\" }", between, format_number(o->format), scales[steps[i].scale], o->layers,
                         o->kept, results[o->result]);
                 between = ",";
             }
@@ -161,7 +161,7 @@ static void put_input(FILE *f, const ssgi_gl_input *in)
     else fprintf(f, "\"yours\": \"%s\" }", yours[in->meaning]);
 }
 
-/* Blending in each language's words or numbers; null: off. */
+/* Writes blending in each language's words or numbers; null: off. */
 static void put_blend(FILE *f, const unsigned blend[3])
 {
     static const struct { unsigned gl; int vulkan; const char *webgpu; } words[] = {
@@ -187,7 +187,7 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
         between = ", ";
     }
     fprintf(f, " }, \"size\": \"%s\", \"frame\": %d, \"primitive\": \"%s\", \"vertices\": %d, \"instances\": %d,\n"
-               "    \"blend\": ", sizes[s->size], s->frame, primitives[s->primitive], s->vertices, s->instances);
+               "    \"blend\": ", scales[s->scale], s->frame, primitives[s->primitive], s->vertices, s->instances);
     put_blend(f, s->blend);
     fputs(", \"clear\": ", f);
     if (s->clear) fprintf(f, "%g", (double)s->clear_to); else fputs("null", f);
@@ -210,7 +210,7 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
         fprintf(f, "%s{ \"name\": \"%s\", ", i ? ", " : "", o->name);
         if (s->groups[0]) fprintf(f, "\"set\": %d, \"binding\": %d", o->set, o->binding);
         else fprintf(f, "\"location\": %d", i);
-        fprintf(f, ", \"texture\": %d, \"slice\": %d }", o->texture, o->slice);
+        fprintf(f, ", \"texture\": %d, \"layer\": %d }", o->texture, o->layer);
     }
     fputs("] }", f);
 }
@@ -218,7 +218,7 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
 void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *chain, const ssgi_gl_step *steps,
                     int count, const char *const (*files)[SSGI_GL_STAGES])
 {
-    char *line = NULL, key[4096];                           /* names are as one writes them */
+    char *line = NULL, key[4096];                           /* names as a user types them */
     const ssgi_gl_choice *choice;
     size_t size;
     int value;
@@ -229,7 +229,7 @@ void manifest_chain(const char *name, const char *about, const ssgi_gl_chain *ch
     fprintf(f, "%s \"about\": ", key);
     kit_json_string(f, about);
     fputs(",\n\"chain\": { \"desc\": ", f);
-    ssgi_gl_chain in = *chain;                              /* in that dialect */
+    ssgi_gl_chain in = *chain;                              /* the same in that dialect */
     in.desc.shader.dialect = in.lights.shader.dialect = steps[0].desc.shader.dialect;
     put_desc(f, &in.desc);
     if (in.lights.pass == SSGI_GL_PASS_LIGHTS) {
@@ -267,7 +267,7 @@ static void put_table(FILE *f, const char *name, const table *t)
     fputs("\n]", f);
 }
 
-/* Bytes of a member in std140, which is the struct. */
+/* Bytes of a member in std140, the same as in the struct. */
 static size_t bytes_of(const char *type)
 {
     static const struct { const char *name; size_t bytes; } types[] = { { "float", 4 }, { "int", 4 }, { "vec2", 8 },
@@ -279,8 +279,8 @@ static size_t bytes_of(const char *type)
     abort();
 }
 
-/* What ssgi_gl_frame_init sets a member to: numbers, times the radius where they follow it; "view" where they follow
-   the camera. */
+/* Writes the value that ssgi_gl_frame_init gives a member: numbers, times the radius if they depend on it; "view" if
+   they depend on the camera. */
 static void put_default(FILE *f, const ssgi_gl_frame frame[3], const ssgi_gl_io *m)
 {
     const char *at[3];
@@ -302,7 +302,7 @@ static void put_default(FILE *f, const ssgi_gl_frame frame[3], const ssgi_gl_io 
     fprintf(f, "%s%s", bytes > 4 ? "]" : "", scaled ? ", \"times\": \"radius\"" : "");
 }
 
-/* Frames of a camera, of it with twice the radius, of another camera. */
+/* Frames of a camera, of the same camera with twice the radius, and of another camera. */
 static void frames_to_compare(ssgi_gl_frame frame[3])
 {
     for (int i = 0; i < 3; ++i) {
@@ -335,7 +335,7 @@ static void put_block(FILE *f, const char *name, int block, const char *prefix, 
     fputs("\n] }", f);
 }
 
-/* What a reader of the manifest needs to know, a line each. */
+/* The explanation of the manifest, an entry a line. */
 static const char *const about[] = {
     "variants: each set of files that belongs together. desc: the fields of ssgi_gl_desc that are not 0, enums by "
     "their words (fields has them in order from 0); fetch: true: with this manifest's fetch (vulkan: "
@@ -343,15 +343,15 @@ static const char *const about[] = {
     "stage; rows: a number in row_lists.",
     "variants' key: what tells a variant from others: its fragment stage's file less the ending.",
     "chains: what methods draw, by the names of build/render, once a dialect. chain: the ssgi_gl_chain, what is not 0. "
-    "textures: what its steps write, by their numbers: format: a number in formats; size: FULL, HALF (rounded up), "
-    "LEVELS (ssgi_splat_size of what desc.half leaves: width, height of a level times levels), TILES (an eighth, "
-    "rounded up), QUARTER (rounded up); slices: 0: 2D, else an array of so many layers; "
+    "textures: what its steps write, by their numbers: format: a number in formats; scale: FULL, HALF (rounded up), "
+    "LEVELS (ssgi_splat_size of what desc.gather.resolution leaves: width, height of a level times levels), TILES (an eighth, "
+    "rounded up), QUARTER (rounded up); layers: 0: 2D, else an array of so many layers; "
     "kept: 1: two of it, which change places each frame; clear them to 0 when they are made. steps, in order: files; "
     "rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: 0: as many as you have; blend: null: off, "
     "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
     "meaning, SSGI_GL_YOUR_ without the prefix, else the number of a texture, as the last frame left it where last is "
     "1; binding, dimension and, where it is not 0, set are Vulkan's and WebGPU's, unit GL's. outputs: "
-    "texture -1: your picture; slice: the layer drawn into. A step with a compute stage has a group, the width and "
+    "texture -1: your picture; layer: the one drawn into. A step with a compute stage has a group, the width and "
     "height of a group of invocations: dispatch as many groups as cover the size, width / group[0] x "
     "height / group[1], rounded up. Each of its outputs is a storage image at set and binding; in GL binding is the "
     "unit of the image.",
@@ -377,7 +377,7 @@ static void put_about(FILE *f)
     }
 }
 
-/* ssgi_gl_desc: where its fields are, and their words. */
+/* Writes the offsets and words of ssgi_gl_desc's fields. */
 static void put_fields(FILE *f)
 {
     const ssgi_gl_choice *c;

@@ -1,6 +1,6 @@
-# rooms.awk - the GLSL of ssgi_gl.h to be read as GLSL: in an editor with its colours, or beside another revision's by
-# diff -r. make glsl-out DIR=d writes a file a room, d/fetch.glsl, d/visibility.glsl .., with the header's comments,
-# each condition as #if and #endif, and above each main function its name in the tables of passes.
+# rooms.awk - extracts the GLSL of ssgi_gl.h, to be read in an editor with its colours, or compared with another
+# revision's by diff -r. make glsl-out DIR=d writes a file for each room, d/fetch.glsl, d/visibility.glsl .., with the
+# header's comments, each condition as #if and #endif, and above each main function its name in the tables of passes.
 
 /^static const ssgi_gl__code ssgi_gl__library/ { inside = 1; next }
 !inside { next }

@@ -1,14 +1,14 @@
 #!/bin/sh
-# translate.sh FOLDER TARGET.. - other languages from the texts of dialect vulkan that make glsl wrote into FOLDER.
+# translate.sh FOLDER TARGET.. - translates the Vulkan shaders that make glsl wrote into FOLDER.
 #
-#   spv     FOLDER/hsao.vulkan.frag.spv ..: SPIR-V for Vulkan, of every stage, by glslangValidator
-#   wgsl    FOLDER/hsao.vulkan.frag.wgsl ..: by tint, out of an npm package; compact: without names of most variables
-#   hlsl    by spirv-cross: shader model 5.0, register t4 is binding 4
-#   msl     by spirv-cross: Metal 2.1, texture(4) is binding 4
+#  spv     FOLDER/hsao.vulkan.frag.spv ..: SPIR-V for Vulkan, of every stage, by glslangValidator
+#  wgsl    FOLDER/hsao.vulkan.frag.wgsl ..: by tint, from an npm package; compact: without names of most variables
+#  hlsl    by spirv-cross: shader model 5.0, register t4 is binding 4
+#  msl     by spirv-cross: Metal 2.1, texture(4) is binding 4
 #
-# The last three have vertex, fragment and compute stages, and their NDC's y points up: their vertex stages negate it,
-# so that row 0 of a target is what it is for Vulkan. For each a line says how many there are; what fails is named,
-# status 1.
+# The last three have only vertex, fragment and compute stages. y of their NDC points up, so their vertex stages negate
+# it; row 0 of a target is then the same as in Vulkan. A line for each target says how many files there are; a failure
+# is named, status 1.
 folder=$1
 tint=$(dirname "$0")/../../../build/tint/twgsl
 work=$(mktemp -d) || exit 2
@@ -19,8 +19,8 @@ has() {                                     # TOOL HOW
     command -v "$1" >/dev/null 2>&1 || { echo "translate: $1 is missing: $2" >&2; exit 2; }
 }
 
-# glslangValidator into a folder, a file a text: one call could take no more than one program. On a terminal it tells
-# how many are done, and the seconds that are left.
+# Runs glslangValidator for each file, because one call takes the stages of only one program. On a terminal it shows how
+# many are done, and the seconds that are left.
 compile() {                                 # TO FLAGS HOW MANY
     xargs -P "$cores" -I{} sh -c 'glslangValidator -V $3 "$1" -o "$2/$(basename "$1").spv" >"$2/log.$$" ||
             cat "$2/log.$$" >&2
@@ -31,7 +31,7 @@ compile() {                                 # TO FLAGS HOW MANY
     [ ! -t 2 ] || echo >&2
 }
 
-# The vertex stages with y up, the fragment and the compute stages, compiled into a folder, once.
+# Compiles the vertex stages with y up, the fragment and the compute stages into a folder, once.
 turn() {                                    # TO FLAGS
     [ ! -e "$1" ] || return 0
     mkdir "$1"
@@ -40,7 +40,7 @@ turn() {                                    # TO FLAGS
         case $f in
             *.frag|*.comp) cp "$f" "$work" ;;
             *) grep -q gl_Position "$f" && sed 's/^\( *\)gl_Position = .*;$/&\n\1gl_Position.y = -gl_Position.y;/' \
-                   "$f" >"$work/$(basename "$f")" ;;            # else tessellation follows, which these have not
+                   "$f" >"$work/$(basename "$f")" ;;            # else tessellation follows, which these languages lack
         esac
     done
     find "$work" -maxdepth 1 -name '*.vert' -o -name '*.frag' -o -name '*.comp' >"$work/list"
@@ -91,7 +91,7 @@ for target in "$@"; do
                     echo "$name: not as $target" >&2
                     continue
                 }
-                # In HLSL spirv-cross puts a number before the members of a block, another one in each text.
+                # In HLSL spirv-cross prefixes the members of a block with a number that differs in each shader.
                 sed -i -E 's/\b_[0-9]+_(u_ssgi_)/\1/g' "$folder/$name.$target"
             done
             count "$(echo "$target" | tr a-z A-Z)" "$target" "$of" ;;

@@ -1,4 +1,5 @@
-/* chains.mjs - make npm: each method's chain as a module with its texts in WGSL, which bundlers follow.
+/* chains.mjs - for make npm: writes each method's chain, with its shaders in WGSL, as a module that bundlers can
+   follow.
       node chains.mjs FOLDER TO         FOLDER: manifest.json and NAME.wgsl; TO: gets NAME.mjs */
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

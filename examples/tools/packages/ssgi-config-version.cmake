@@ -1,4 +1,4 @@
-# What a minor version may change stands at the end of ssgi.h: before 1.0 another one may rename.
+# The end of ssgi.h lists the changes of each version: before 1.0 a minor version may rename.
 set(PACKAGE_VERSION "@VERSION@")
 string(REGEX MATCH "^[0-9]+" _ssgi_major "@VERSION@")
 if(PACKAGE_FIND_VERSION VERSION_EQUAL PACKAGE_VERSION)

@@ -1,4 +1,4 @@
-# find_package(ssgi), then target_link_libraries(yours ssgi::ssgi): the headers' folder, and libm where there is one.
+# find_package(ssgi), then target_link_libraries(yours ssgi::ssgi): adds the headers' folder, and libm if it exists.
 get_filename_component(_ssgi_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 if(NOT TARGET ssgi::ssgi)
   add_library(ssgi::ssgi INTERFACE IMPORTED)

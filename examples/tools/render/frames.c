@@ -1,9 +1,9 @@
-/* frames.c - a picture a frame: --sequence, --frames. */
+/* frames.c - --sequence and --frames: one picture for each frame. */
 #include "render.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* A line of a sequence: a frame, and where it was taken, unless the frame tells. */
+/* A line of a sequence: a frame, and its camera's place unless the frame has it. */
 typedef struct line {
     const char *frame;
     double camera[6], up[3];
@@ -19,7 +19,7 @@ static void sequence_free(sequence *s)
     memset(s, 0, sizeof *s);
 }
 
-/* What a line's text says; 0: it is blank, -1: it is wrong. */
+/* Parses a line; 0: it is blank, -1: it is wrong. */
 static int parse_line(line *l, char *text)
 {
     double v[9] = { 0 };
@@ -40,7 +40,7 @@ static int parse_line(line *l, char *text)
     return 1;
 }
 
-/* Lines end in CR, LF or both, and count from 1 as an editor counts them, blank ones too. */
+/* Lines end in CR, LF or both. They are numbered from 1, blank lines too, as in an editor. */
 static int sequence_read(sequence *s, const char *path, kit_error *err)
 {
     size_t size;
@@ -66,7 +66,7 @@ static int sequence_read(sequence *s, const char *path, kit_error *err)
     return s->lines ? 0 : kit_fail(err, "--sequence %s: names no frame", path);
 }
 
-/* The G-buffer of a line. */
+/* Opens the G-buffer of a line. */
 static int open_line(kit_gbuffer *g, job *j, const line *l, kit_error *err)
 {
     const options *o = &j->o;
@@ -81,8 +81,8 @@ static int open_line(kit_gbuffer *g, job *j, const line *l, kit_error *err)
     return kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text);
 }
 
-/* In what a frame differs from the first one, where a method may ask for it; NULL: in nothing. Motion may be missing:
-   a first frame has none. */
+/* A property in which a frame differs from the first frame and on which a method may depend; NULL: none. Motion may
+   differ, because a first frame has none. */
 static const char *unlike(const kit_gbuffer *g, const kit_gbuffer *first)
 {
     return g->width != first->width || g->height != first->height ? "size"
@@ -95,7 +95,7 @@ static const char *unlike(const kit_gbuffer *g, const kit_gbuffer *first)
                                                                   : NULL;
 }
 
-/* Every frame is read, and the method made ready on the first one, before anything is written. */
+/* Reads every frame, and makes the method ready on the first one, before anything is written. */
 static int sequence_check(job *j, const sequence *s, kit_error *err)
 {
     kit_gbuffer first = { 0 }, g;
@@ -118,7 +118,7 @@ static int sequence_check(job *j, const sequence *s, kit_error *err)
     return failed;
 }
 
-/* The G-buffer of frame k. */
+/* Opens the G-buffer of frame k. */
 static int open_next(kit_gbuffer *g, job *j, const sequence *s, const kit_camera *from, int k, kit_error *err)
 {
     kit_camera camera = *from;
@@ -128,7 +128,7 @@ static int open_next(kit_gbuffer *g, job *j, const sequence *s, const kit_camera
         || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
 }
 
-/* Frame k, drawn and written. */
+/* Draws and writes frame k. */
 static int play_frame(job *j, kit_gbuffer *g, int k, kit_error *err)
 {
     char path[4096];

@@ -1,11 +1,11 @@
-/* options.c - the command line: what is asked for, and what cannot go with what; --help, --list. */
+/* options.c - the command line: its options, those that exclude each other; --help, --list. */
 #include "render.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* C99 has strings of 4095 characters. */
+/* In parts, because C99 only guarantees strings of 4095 characters. */
 static const char *const usage[] = {
     "usage: render MODEL | NAME | random:SEED | --gbuffer FRAME.exr  [options]\n"
     "  render model.glb --out ao.png\n"
@@ -105,7 +105,7 @@ void render_usage(FILE *to)
 
 /* ---- >>values ---------------------------------------------------------------------------------------------------- */
 
-/* Numbers of the world; beyond that floats leave no room to compute with them. */
+/* Reads numbers in world units, up to KIT_MOST, so that floats can compute with them. */
 int render_numbers(const char *name, const char *text, double *out, int count, kit_error *err)
 {
     double v[9];
@@ -168,7 +168,7 @@ int render_plans_light(const options *o)
     return o->planned - 1 == SSGI_PLAN_WANTED_LIGHT || o->planned - 1 == SSGI_PLAN_WANTED_BOUNCE;
 }
 
-/* The number that a text begins with, of digits alone; 0: there is none, or it is above most. */
+/* The number of digits only with which a text begins; 0: there is none, or it is above most. */
 static int digits(const char **at, int most)
 {
     int v = 0;
@@ -205,8 +205,8 @@ static int take_radius(options *o, const char *name, const char *text, kit_error
     return 0;
 }
 
-/* An option: what takes its value, or the member that gets it. FLAG: it has no value; NUMBERS: so many as least says;
-   LIST: one more of most, whose number is said; of others said, unless 0, becomes 1. */
+/* An option: the function that takes its value, or the member that gets it. FLAG: no value; NUMBERS: `least` numbers;
+   LIST: appended to at most `most`, with member `said` as their count; for other kinds `said`, unless 0, becomes 1. */
 typedef struct option {
     const char *name;
     enum { TAKEN, FLAG, TEXT, WHOLE, NUMBER, NUMBERS, LIST } kind;
@@ -257,7 +257,7 @@ static const option table[] = {
     { "--size", TAKEN, 0, 0, 0, 0, take_size }
 };
 
-/* Takes an option, and its value, of which there may be none. Returns how many arguments that were; -1: refused. */
+/* Takes an option and its value, which may be missing. Returns the number of arguments taken; -1: refused. */
 static int take(options *o, const char *name, const char *text, kit_error *err)
 {
     const option *t = table, *const end = table + sizeof table / sizeof *table;
@@ -284,12 +284,12 @@ static int take(options *o, const char *name, const char *text, kit_error *err)
     return failed ? -1 : 2;
 }
 
-/* ---- >>what goes with what --------------------------------------------------------------------------------------- */
+/* ---- >>options that exclude each other --------------------------------------------------------------------------- */
 
 static int check_frames(const options *o, kit_error *err)
 {
     const int many = o->sequence || o->frames;
-    if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
+    if (o->frames && !o->scene) return kit_fail(err, "--frames: needs a scene; for frames in files use --sequence");
     if (o->has_slide && !o->scene)
         return kit_fail(err, "--slide: needs a scene; a frame has no objects");
     if (o->still && (many || o->truth || o->floor || o->time))
@@ -302,13 +302,13 @@ static int check_frames(const options *o, kit_error *err)
         if (fabs(o->slide[i]) * o->frames > 1e14)
             return kit_fail(err, "--slide: in %d frames the object would be beyond 1e14", o->frames);
     if (many && (o->truth || o->floor || o->score || o->time || o->save || o->planned))
-        return kit_fail(err, "%s: writes a method's pictures alone", o->frames ? "--frames" : "--sequence");
+        return kit_fail(err, "%s: only writes a method's pictures", o->frames ? "--frames" : "--sequence");
     if (many && !render_numbered(NULL, 0, o->out ? o->out : "", 0))
-        return kit_fail(err, "--out %s: a picture a frame needs a %%04d in it", o->out ? o->out : "");
+        return kit_fail(err, "--out %s: needs a %%04d, for one picture a frame", o->out ? o->out : "");
     return 0;
 }
 
-/* What is asked of a scene, and of a frame in its place. */
+/* Checks the options of scenes, and those of frames that replace a scene. */
 static int check_source(const options *o, kit_error *err)
 {
     if (!o->scene && !o->gbuffer) return kit_fail(err, "a scene or --gbuffer must be given");
@@ -326,19 +326,19 @@ static int check_source(const options *o, kit_error *err)
         return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
     if (o->gbuffer && o->truth)
-        return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
+        return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (see --floor)");
     if (o->gbuffer && o->flat)
-        return kit_fail(err, "--flat: needs a scene; --set normal=depth is of a frame's faces");
+        return kit_fail(err, "--flat: needs a scene; for a frame use --set normal=depth");
     if (o->gbuffer && o->guess) return kit_fail(err, "--radius guess: needs a scene; a frame has no mesh");
     if (!o->gbuffer && (o->layer || o->channels))
-        return kit_fail(err, "--%s: is of a frame (--gbuffer)", o->layer ? "layer" : "channel");
+        return kit_fail(err, "--%s: needs a frame (--gbuffer)", o->layer ? "layer" : "channel");
     if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
     if (o->has_near && o->zfar > 0 && !(o->znear < o->zfar))
         return kit_fail(err, "--far %g: must be beyond --near %g", o->zfar, o->znear);
     if (o->has_near && !(o->znear > 0) && !(o->ortho_height > 0 && o->scene))
         return kit_fail(err, "--near %g: must be above 0: only a scene's orthographic camera (--ortho-height) sees "
-                             "what is behind its eye", o->znear);
+                             "behind its eye", o->znear);
     return 0;
 }
 
@@ -367,7 +367,7 @@ int render_parse(options *o, int argc, char **argv, kit_error *err)
     for (int i = 1, taken; i < argc; i += taken) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
         taken = 1;
-        if (!strcmp(a, "--list")) {            /* perhaps with a name */
+        if (!strcmp(a, "--list")) {            /* a name may follow */
             o->list = 1;
             if (v && *v != '-') o->listed = v, taken = 2;
         } else if (*a == '-') {
@@ -385,7 +385,7 @@ int render_parse(options *o, int argc, char **argv, kit_error *err)
 
 /* ---- >>list ------------------------------------------------------------------------------------------------------ */
 
-/* The words that a setting takes, the default one in brackets. */
+/* The words that a setting takes, with the default in brackets. */
 static void list_words(char *out, size_t size, const kit_setting *s)
 {
     size_t used = 0;

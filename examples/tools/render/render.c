@@ -1,4 +1,4 @@
-/* render.c - renders one picture of a scene, or of a captured frame, with one method; the truth of it; scores and
+/* render.c - renders one picture of a scene, or of a captured frame, with one method; its ground truth; scores and
    times.
 
       build/render model.glb --method hsao --radius 0.5 --out ao.exr
@@ -13,8 +13,8 @@
       build/render room --set history=1 --frames 16 --orbit 0.2 --out frames/%04d.exr
       build/render --help | --list | --list hsao
 
-   Bad input: one line on stderr that names it, status 2, nothing written; of --sequence and --frames each picture is
-   written as it is drawn, once the list and all of its frames have been read. */
+   Bad input: one line on stderr that names it, status 2, nothing written. --sequence and --frames write each picture
+   when it is drawn, after the list and all of its frames have been read. */
 #include "render.h"
 #include <math.h>
 #include <stdio.h>
@@ -38,7 +38,7 @@ static void camera_of(kit_camera *c, const options *o, const double origin[3])
     if (o->ortho_height > 0) { c->fovy = 0; c->ortho_height = (float)o->ortho_height; }
     if (o->znear > 0) c->znear = (float)o->znear;
     if (o->zfar > 0) c->zfar = (float)o->zfar;
-    if (o->has_near && !(o->znear > 0)) {      /* Frames have positive depths: the eye moves back, the picture stays. */
+    if (o->has_near && !(o->znear > 0)) {      /* depths must be positive: the eye moves back, the picture stays */
         const double before = 1e-3 * fmax(o->zfar - o->znear, (double)c->ortho_height), by = before - o->znear;
         float view[16], projection[16];
         kit_camera_matrices(c, view, projection);
@@ -76,7 +76,7 @@ int render_open_settings(job *j, kit_error *err)
     if (!j->method.lit && !o->planned && (o->env || o->lights))
         return kit_fail(err, "%s: method %s is not lit; ssdo is", o->env ? "--env" : "--light", j->method.name);
     if ((j->method.lit || j->method.between) && o->floor)
-        return kit_fail(err, "--floor: is of ambient visibility within a radius; this method has none");
+        return kit_fail(err, "--floor: needs a method of ambient visibility within a radius");
     if (o->colours && (j->method.lit || o->planned))
         return kit_fail(err, "--colours: is of a method of ambient visibility%s", o->planned ? ", not of --plan" : "");
     if (j->method.lit && !o->planned && !o->gbuffer && !o->env && !o->lights && !kit_scene_seeded(o->scene))
@@ -86,7 +86,7 @@ int render_open_settings(job *j, kit_error *err)
     return kit_gl_open(o->context, err);
 }
 
-/* Places that the user gives are of his coordinates. */
+/* Converts places that the user gives from his coordinates to the scene's. */
 static int settle_origin(job *j, const double origin[3], kit_error *err)
 {
     memcpy(j->origin, origin, sizeof j->origin);
@@ -95,8 +95,8 @@ static int settle_origin(job *j, const double origin[3], kit_error *err)
     return 0;
 }
 
-/* All frames are about one origin. The first one's is its header's, or the eye where a camera that is given stands so
-   far from 0 that floats would turn it. */
+/* Sets the origin of all frames: that of the first frame's header, or, if the user gives a camera so far from 0 that
+   floats would turn it, the eye. */
 static int settle_frames(job *j, const options *o, const kit_header *header, kit_error *err)
 {
     static const double nearby[3];
@@ -111,7 +111,7 @@ static int settle_frames(job *j, const options *o, const kit_header *header, kit
     return settle_origin(j, away > 1000 * sqrt(length) ? o->camera : nearby, err);
 }
 
-/* Of a camera that nobody gave, what the frame's header says; the radius likewise. placed: its place is known. */
+/* Takes camera and radius from the frame's header if the user gives none. placed: the camera's place is known. */
 static int ask_header(kit_camera *camera, job *j, int *placed, const options *o, kit_error *err)
 {
     double *radius = &j->radius;
@@ -140,7 +140,7 @@ static int ask_header(kit_camera *camera, job *j, int *placed, const options *o,
     return 0;
 }
 
-/* The angle that is given is of the whole picture, of which a frame may be a part. */
+/* Narrows the camera: the user's angle is that of the whole picture, and a frame may be a part of it. */
 static int narrow(kit_camera *camera, const options *o, kit_error *err)
 {
     kit_header header = { .orthographic = !(camera->fovy > 0), .height = camera->ortho_height };
@@ -150,9 +150,10 @@ static int narrow(kit_camera *camera, const options *o, kit_error *err)
     return 0;
 }
 
-/* Normals of the world that a wrong camera turned would draw garbage: they are refused where most of them are off. Of
-   scenes as they are 15 % are off at most; of those that were turned by a quarter nine in ten are refused. A wrong lens
-   turns them by less, but all alike: it is told where a lens that agrees better follows from them. */
+/* Refuses frames whose normals mostly disagree with their depth: a wrong camera turned their world-space normals, and
+   the picture would be garbage. In correct scenes at most 15 % disagree; with a quarter turn, nine in ten scenes are
+   refused. A wrong lens turns normals by less, but all alike; if a lens that fits better follows from them, it is
+   named. */
 static int check_normals(job *j, const options *o, const kit_image *frame, const kit_camera *camera, kit_error *err)
 {
     enum { ENOUGH = 256 };
@@ -201,7 +202,7 @@ int render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err)
                     o->gbuffer, o->method);
 }
 
-/* From the tops of the mesh. */
+/* Guesses the radius from the distances of the mesh's tops. */
 static int guess_radius(double *radius, const kit_scene *scene, int quiet, kit_error *err)
 {
     static const float up[3] = { 0, 1, 0 };
@@ -220,7 +221,7 @@ static int guess_radius(double *radius, const kit_scene *scene, int quiet, kit_e
     return 0;
 }
 
-/* Each corner's normal is that of its face, on the side of those that the mesh has. */
+/* Gives each corner its face's normal, on the side of the mesh's own normals. */
 static void flatten(kit_mesh *mesh)
 {
     for (size_t t = 0; t < mesh->triangles; ++t) {
@@ -262,7 +263,7 @@ int render_open_scene(job *j, kit_error *err)
     return j->o.env || j->o.lights || !lit ? 0 : kit_light_scene(&j->lighting, &j->scene, err);
 }
 
-/* The planned method takes the place of --method's; nothing to do is a picture already. */
+/* Replaces --method by the planned method; a plan of no method is a picture already. */
 static int plan_it(job *j, kit_error *err)
 {
     const options *o = &j->o;
@@ -294,7 +295,7 @@ static int trace(job *j, kit_error *err)
     return kit_floor_ao(&j->r.picture, &j->r.frame, camera, radius, kit_method_attenuation(m), j->o.floor, 1, err);
 }
 
-/* Medians of each pass over frames of a view that stays: of methods that keep history, of frames that have one. */
+/* Median times of each pass over frames of a view at rest; with history, only of frames that have one. */
 static int time_passes(job *j, kit_error *err)
 {
     const int frames = j->o.time;
@@ -321,7 +322,7 @@ static int draw(job *j, kit_error *err)
     return kit_run_read(&j->r.picture, run, err);
 }
 
-/* Visibility becomes R G B: the colours of what is seen, times it; KIT_BEHIND where nothing is. */
+/* Turns visibility into R G B: the surfaces' colours times it; KIT_BEHIND in the background. */
 static int colour(kit_image *picture, const kit_gbuffer *g, kit_error *err)
 {
     static const char *const names[3] = { "albedo.R", "albedo.G", "albedo.B" };
@@ -341,7 +342,7 @@ static int colour(kit_image *picture, const kit_gbuffer *g, kit_error *err)
     return 0;
 }
 
-/* The environment where nothing is seen. */
+/* Puts the environment into the background. */
 static int add_backdrop(kit_image *picture, const kit_gbuffer *g, const kit_image *env, kit_error *err)
 {
     const size_t pixels = (size_t)picture->width * (size_t)picture->height;
@@ -368,7 +369,7 @@ int render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int lit
                                               : kit_png_write(picture, rgb ? "R,G,B" : "Y", rgb, path, err);
 }
 
-/* The G-buffer, with what it takes to draw on it again: what the settings of a method had drawn into it, too. */
+/* Saves the G-buffer with its camera and radius, and with the layers and slabs that the settings of a method added. */
 static int save_frame(job *j, kit_error *err)
 {
     kit_header header = { .has = KIT_HEADER_RADIUS, .radius = (float)j->radius };
@@ -386,7 +387,7 @@ static int save_frame(job *j, kit_error *err)
     return failed;
 }
 
-/* Which normals truth and scores are about, where that matters: where those of a mesh lean off its faces. */
+/* Prints which normals the ground truth and the scores use, if the mesh's normals differ from its faces'. */
 static int tell_normals(const job *j, kit_error *err)
 {
     const options *o = &j->o;
@@ -416,7 +417,7 @@ static int do_job(job *j, kit_error *err)
     if (o->truth || o->floor) {
         if (trace(j, err)) return -1;
     } else if (!r->picture.data && (o->out || o->score || o->time) && draw(j, err)) return -1;
-    const int dims = r->lit && r->picture.channels == 1;       /* a plan may light by ambient visibility */
+    const int dims = r->lit && r->picture.channels == 1;       /* a plan may compute light from ambient visibility */
     if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
     if (o->score && render_score(r, o->score, &j->gbuffer.camera, j->radius, err)) return -1;
     if (o->save && save_frame(j, err)) return -1;

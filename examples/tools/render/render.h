@@ -1,4 +1,4 @@
-/* render.h - what build/render's files share: what is asked for, what it takes, what was measured. */
+/* render.h - shared by build/render's files: the options, the state of a job, the results. */
 #ifndef RENDER_H
 #define RENDER_H
 
@@ -9,44 +9,44 @@
 enum { RENDER_SETS = 32 };
 
 typedef struct options {
-    /* what to draw: a scene, a frame, or a list of frames */
+    /* the input: a scene, a frame, or a list of frames */
     const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
-    const char *layer, *channel[RENDER_SETS];          /* of a frame of another program */
+    const char *layer, *channel[RENDER_SETS];          /* for another program's frame */
     int         channels, lights, ground, flat, frames, still, width, height;
     double      turn, strength;            /* of env */
-    double      orbit;                     /* degrees a frame */
+    double      orbit;                     /* degrees for each frame */
     int         has_camera, has_up, has_near, has_slide;
     double      slide[3];                  /* a frame */
     double      camera[6], up[3];          /* eye, target */
-    double      fovy, ortho_height, znear, zfar;       /* 0: not said */
+    double      fovy, ortho_height, znear, zfar;       /* 0: not given */
     /* how */
     const char *method, *set[RENDER_SETS], *context;
-    int         sets, truth, floor;        /* rays; 0: not asked */
+    int         sets, truth, floor;        /* rays; 0: not asked for */
     double      radius;                    /* 0: the scene's own, or a guess */
-    int         guess;                     /* 1: by its mesh's maxima of y */
-    int         planned;                   /* SSGI_PLAN_WANTED_VISIBILITY .. and 1; 0: not asked */
+    int         guess;                     /* 1: guessed from the local maxima of the mesh's y */
+    int         planned;                   /* SSGI_PLAN_WANTED_.. plus 1; 0: not asked for */
     double      plan[2];                   /* error, budget */
     int         plan_in_ms;                /* the budget is milliseconds of an RX 6800 */
-    /* what comes out */
+    /* the output */
     const char *out, *score, *save, *listed;
     int         time, json, list, help, version, colours, backdrop;
 } options;
 
-/* All options. */
+/* Prints all options. */
 void render_usage(FILE *to);
 int  render_parse(options *o, int argc, char **argv, kit_error *err);
-/* All methods and scenes, a line each; or the settings of one method. */
+/* Prints all methods and scenes, a line each; or the settings of one method. */
 int  render_list(const char *name, kit_error *err);
 int  render_numbers(const char *name, const char *text, double *out, int count, kit_error *err);
-/* Of light, which the planned method may bring by ambient visibility. */
+/* Whether the plan is for light, which the planned method may compute from ambient visibility. */
 int  render_plans_light(const options *o);
-/* A path whose one %d, or %04d, is replaced by a number; 0 if it has none, or does not fit. */
+/* Replaces the one %d, or %04d, of a path by a number; 0 if it has none, or the result does not fit. */
 int  render_numbered(char *out, size_t size, const char *path, int k);
 
 /* ---- >>report */
 
-/* The picture, its foreground mask, and what was measured: of ambient visibility; or of radiance, irradiance and
-   bounce, their three channels together. */
+/* The picture, its foreground mask, and the measured figures: of ambient visibility; or of radiance, irradiance and
+   bounce, each with its three channels together. */
 enum { GROUPS = 3 };
 
 typedef struct result {
@@ -63,7 +63,7 @@ typedef struct result {
 int  render_score(result *r, const char *path, const kit_camera *camera, double radius, kit_error *err);
 void render_report(const options *o, const kit_method *m, const result *r, double radius);
 
-/* ---- >>job: what it takes */
+/* ---- >>job: the inputs */
 
 typedef struct job {
     options      o;
@@ -76,24 +76,24 @@ typedef struct job {
     kit_world    world;
     ssgi_plan    plan;
     double       radius;
-    double       origin[3];                /* the user's coordinates of what stands at 0: the scene's, or a frame's */
-    int          framed;                   /* that is settled, by the first frame */
-    int          noted;                    /* that a frame's normals agree with another lens */
+    double       origin[3];                /* the user's coordinates of the scene's, or frame's, point 0 */
+    int          framed;                   /* 1: the first frame has set it */
+    int          noted;                    /* 1: a note said that a frame's normals fit another lens */
     result       r;
 } job;
 
 int  render_open_settings(job *j, kit_error *err);
-/* What options do not say its header does; a radius that nobody gave is the job's from then on. */
+/* Opens a frame. Its header gives the values that options do not; a radius from it is the job's from then on. */
 int  render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err);
 int  render_open_scene(job *j, kit_error *err);
-/* Moves the first object that casts by --slide, so many times. */
+/* Moves the first object that casts by --slide, `times` times. */
 int  render_slide(job *j, int times, kit_error *err);
-/* As its ending says, EXR or PNG; with the colours or the backdrop that are asked for. */
+/* Writes EXR or PNG, by the path's ending; with --colours or --backdrop if they are given. */
 int  render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int lit, const char *path, kit_error *err);
 
 /* ---- >>frames */
 
-/* A picture a frame, written as it is drawn; each run takes over the last one's history. */
+/* Draws a picture for each frame and writes it at once; each run takes over the last run's history. */
 int  render_play(job *j, kit_error *err);
 
 #endif

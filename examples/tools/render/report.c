@@ -1,4 +1,4 @@
-/* report.c - what was measured: scores, times, the plan; as text or as JSON. */
+/* report.c - prints results as text or JSON: scores, times, the plan. */
 #include "render.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@ int render_score(result *r, const char *path, const kit_camera *camera, double r
     int status = 0;
     const float *mask = kit_image_channel(&r->frame, "Z");
     if (kit_exr_read(&reference, path, err)) return -1;
-    /* Other programs write grey as R, G and B alike. */
+    /* Other programs write grey as three equal channels R, G and B. */
     for (int c = 0; c < reference.channels && !r->lit && !kit_image_channel(&reference, "Y"); ++c)
         if (!strcmp(reference.name[c], "R")) snprintf(reference.name[c], sizeof reference.name[c], "Y");
     for (int i = r->lit; i < (r->lit ? 10 : 1); ++i)
@@ -48,7 +48,7 @@ int render_score(result *r, const char *path, const kit_camera *camera, double r
     return status;
 }
 
-/* What drawing back faces took for a run. */
+/* The time in which back faces were drawn for a run, milliseconds. */
 static double slabs_ms(const kit_run *run) { return run->gbuffer->slab_ms[0] + run->gbuffer->slab_ms[1]; }
 
 /* ---- >>JSON ------------------------------------------------------------------------------------------------------ */
@@ -106,13 +106,13 @@ static void json_times(const result *r)
     if (slabs_ms(r->run) > 0) json_value(", ", "slabs_ms", slabs_ms(r->run), 4);
 }
 
-/* A group's error over that of no AO; lit: the mean that it is a share of. */
+/* A group's error over that of no AO; for light, its error over the mean. */
 static double share_of(const result *r, int g)
 {
     return r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0;
 }
 
-/* The score of a group, then its edges, border and interior apart. */
+/* The score of a group, then of its edges, border and interior. */
 static void json_score(const result *r, int g)
 {
     const kit_score *s = &r->score[g];
@@ -135,7 +135,7 @@ static void json_score(const result *r, int g)
     printf("}");
 }
 
-/* what: the method, or what was asked for in its place */
+/* what: the method, or the option that replaced it */
 static void report_json(const options *o, const kit_method *m, const char *what, const result *r, double radius)
 {
     json_text("{", "source", o->gbuffer ? o->gbuffer : o->scene);

@@ -1,8 +1,8 @@
 /* ssgi.c - the headers as WebAssembly, without a C library: make wasm builds build/wasm/ssgi.wasm, ssgi.mjs loads it.
 
-   What a page needs each frame is exported by name; the linker drops the rest. For more (views, plans) add lines of
-   EXPORT; examples/web/bake.c makes surfels and fields. Memory is the page's: from __heap_base on nothing here touches
-   what it does not get a pointer to. */
+   The functions that a page needs each frame are exported by name; the linker drops the rest. To have more (views,
+   plans), add lines of EXPORT; examples/web/bake.c makes surfels and fields. The page owns the memory from __heap_base
+   on: code here only uses it by the pointers that it gets. */
 #include "../../../ssgi_gl.h"
 
 #define EXPORT(function) extern __typeof__(function) function __attribute__((export_name(#function)))
@@ -42,7 +42,7 @@ EXPORT(ssgi_trace_build);
 EXPORT(ssgi_trace_closest);
 EXPORT(ssgi_trace_any);
 
-/* Sizes and places of members by name, for ssgi.mjs: the i-th; NULL past the last. */
+/* Sizes and offsets of members by name, for ssgi.mjs: the i-th; NULL past the last. */
 typedef struct place { const char *name; int32_t value; } place;
 const place *ssgi_wasm_place_at(int i) __attribute__((export_name("ssgi_wasm_place_at")));
 const place *ssgi_wasm_place_at(int i)
@@ -99,7 +99,7 @@ const place *ssgi_wasm_place_at(int i)
                                     AT(ssgi_gl_method, preset),
                                     AT(ssgi_gl_method, settings),
                                     STEP(desc),
-                                    STEP(size),
+                                    STEP(scale),
                                     STEP(width),
                                     STEP(height),
                                     STEP(inputs),
@@ -132,8 +132,8 @@ const place *ssgi_wasm_place_at(int i)
                                     OUTPUT(name),
                                     OUTPUT(texture),
                                     OUTPUT(format),
-                                    OUTPUT(slices),
-                                    OUTPUT(slice),
+                                    OUTPUT(layers),
+                                    OUTPUT(layer),
                                     OUTPUT(set),
                                     OUTPUT(binding),
                                     OUTPUT(kept),

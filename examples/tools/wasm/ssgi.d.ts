@@ -1,29 +1,29 @@
 
-/** Types of ssgi.mjs. Desc and Frame stand above: build/glsl-text --types prints them. What is wrong with an argument
- *  is thrown as an Error whose message names the argument and says what would be right. */
+/** Types of ssgi.mjs. Desc and Frame are above, printed by build/glsl-text --types. A wrong argument throws an Error
+ *  whose message names the argument and says what it must be. */
 export type Stage = 'vert' | 'frag' | 'tesc' | 'tese' | 'geom' | 'comp';
 export type Preset = 'FAST' | 'BALANCED' | 'BEST';
 
-/** ssgi_gl_choice: a field of a desc, 0 .. most. field: in C, as "gather.samples" */
+/** ssgi_gl_choice: a field of a desc, from 0 to most. field: its name in C, as "gather.samples" */
 export interface Choice { name: string; field: string; offset: number; most: number; values: string[];
                          sentence: string; }
 
-/** ssgi_gl_io: what a program reads or writes */
+/** ssgi_gl_io: an input or output of a program */
 export interface Row {
   name: string;
   kind: 'TEXTURE' | 'PARAM' | 'OUTPUT' | 'CONSTANT' | 'ATTRIBUTE' | 'CAPTURE';
   type: string;
   /** TEXTURE: unit. OUTPUT, ATTRIBUTE: location. CONSTANT: value. PARAM: binding of its block */
   slot: number;
-  /** PARAM: byte in the block */
+  /** PARAM: byte offset in the block */
   offset: number;
   format: string;
-  /** TEXTURE, PARAM, and OUTPUT of a compute stage, in VULKAN: those of the texture, of the block, of the image */
+  /** VULKAN: the descriptor set of a TEXTURE, of the block of a PARAM, of the image of a compute stage's OUTPUT */
   set: number;
   binding: number;
 }
 
-/** ssgi_gl_chain: what is drawn for a desc. What is left out is 0 */
+/** ssgi_gl_chain: the draws for a desc. A missing member is 0 */
 export interface Chain {
   desc: Desc; lights?: Desc; width: number; height: number;
   blur?: number; history?: number; coefficients?: number; reuse?: number; vpls?: number; direct?: number;
@@ -31,10 +31,10 @@ export interface Chain {
   precise?: number; rgba8?: number;
 }
 
-/** ssgi_gl_method: a chain by a name */
+/** ssgi_gl_method: a named chain */
 export interface Method { name: string; sentence: string; pass: string; preset: Preset; settings: string; }
 
-/** ssgi_gl_format: the numbers that texImage2D takes */
+/** ssgi_gl_format: the arguments of texImage2D */
 export interface Format {
   name: string; internal: number; format: number; type: number; bytes: number;
   /** VkFormat's number and name; WebGPU's name */
@@ -44,15 +44,16 @@ export interface Format {
 /** ssgi_gl_input */
 export interface Input {
   name: string; type: string; unit: number; target: number;
-  /** WebGPU: in group `set`; 1: a view "2d-array"; 1: multisampled; 1: sampleType "uint", 0: "unfilterable-float" */
+  /** WebGPU: in group `set`. array: 1 = viewDimension "2d-array"; integer: 1 = sampleType "uint", 0 =
+   *  "unfilterable-float" */
   set: number; binding: number; array: number; multisampled: number; integer: number;
-  /** what texture of yours it is, the words of SSGI_GL_YOUR_*; null: one of the steps, by its number */
+  /** your texture for it, a word of SSGI_GL_YOUR_*; null: a texture of the steps, by its number */
   meaning: string | null; texture: number; last: number; format: Format | 0; width: number; height: number;
 }
 
 /** ssgi_gl_output */
 export interface Output {
-  name: string; texture: number; format: Format | 0; slices: number; slice: number;
+  name: string; texture: number; format: Format | 0; layers: number; layer: number;
   /** of a compute stage: those of the storage image, in GL `binding` is its unit */
   set: number; binding: number;
   kept: number; result: 'NONE' | 'LIGHT' | 'BOUNCE';
@@ -60,7 +61,7 @@ export interface Output {
 
 /** ssgi_gl_step: one draw */
 export interface Step {
-  desc: Desc; size: 'FULL' | 'HALF' | 'LEVELS' | 'TILES' | 'QUARTER'; width: number; height: number; inputs: Input[];
+  desc: Desc; scale: 'FULL' | 'HALF' | 'LEVELS' | 'TILES' | 'QUARTER'; width: number; height: number; inputs: Input[];
   outputs: Output[];
   frame: number; primitive: number; vertices: number; instances: number; blend: number[]; clear: number;
   clear_to: number;
@@ -85,7 +86,7 @@ export interface SurfelDesc {
 /** ssgi_field, as ssgi_field_save wrote it */
 export interface Field {
   resolution: number; radius: number; reach: number; inside: number; p95: number;
-  /** of a slice of t_ssgi_fields: RG32UI, resolution + 2 wide, 6 (resolution + 2) high */
+  /** texels of a slice of t_ssgi_fields: RG32UI, resolution + 2 wide, 6 (resolution + 2) high */
   texels: Uint32Array;
   /** its row of t_ssgi_occluders: 10 texels of RGBA32F */
   occluder(meshToView: ArrayLike<number>, slice?: number, object?: number,
@@ -97,7 +98,7 @@ export interface Light {
   kind: 'SUN' | 'POINT' | 'SPOT' | 'VPL';
   at: ArrayLike<number>; colour: ArrayLike<number>; min_distance?: number; normal?: ArrayLike<number>;
 }
-/** its shadow map: the first texel in t_ssgi_shadow, the view that it was drawn with, matrices from the world */
+/** its shadow map: the first texel in t_ssgi_shadow, the view with which it was drawn, matrices from the world */
 export interface LightMap {
   view: Uint8Array; x?: number; y?: number; worldToView: ArrayLike<number>; worldToLight: ArrayLike<number>;
 }
@@ -122,7 +123,7 @@ export class Ssgi {
   resolve(desc: Desc): Desc;
   view(projection: ArrayLike<number>, width: number, height: number,
        clip?: 'GL' | 'ZERO' | 'GL_ROWS_DOWN' | 'ZERO_ROWS_DOWN'): Uint8Array;
-  /** chain: with the values that suit it */
+  /** with chain: the values of ssgi_gl_frame_init for it */
   frame(view: Uint8Array, radius: number, chain?: Partial<Chain> | null): Frame;
   history(frame: Frame, view: Uint8Array, worldToView: ArrayLike<number>, lastWorldToView: ArrayLike<number>): Frame;
   harmonics(frame: Frame, coefficients: ArrayLike<number>, bands: number,
@@ -131,7 +132,7 @@ export class Ssgi {
   /** a row of t_ssgi_lights: 8 texels of RGBA32F */
   light(light: Light, map?: LightMap | null): Float32Array;
   phase(k: number): number;
-  /** the chain of a method by its name, "hsao,thickness=slabs": ssgi_gl_chain_of. It lacks width and height */
+  /** the chain of a method by its name, as "hsao,thickness=slabs": ssgi_gl_chain_of. Width and height are missing */
   chain(name: string): Omit<Chain, 'width' | 'height'>;
   steps(chain: Chain): Step[];
   environmentMap(size: number, rgb: ArrayLike<number>, width: number, height: number,
@@ -143,7 +144,7 @@ export class Ssgi {
   trace(position: ArrayLike<number>, index?: ArrayLike<number> | null): Trace;
 }
 
-/** source: by default ssgi.wasm beside this file */
+/** source: default: ssgi.wasm in this file's folder */
 export function load(source?: string | URL | BufferSource | WebAssembly.Module): Promise<Ssgi>;
-/** as load, but a source is read once; an Ssgi is given back */
+/** as load, but reads each source only once; returns an Ssgi unchanged */
 export function loadOnce(source?: Ssgi | string | URL | BufferSource | WebAssembly.Module): Promise<Ssgi>;

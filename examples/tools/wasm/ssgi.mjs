@@ -1,19 +1,19 @@
-/* ssgi.mjs - ssgi in JavaScript: loads ssgi.wasm (make wasm), no dependency, in a page or in node.
+/* ssgi.mjs - ssgi in JavaScript: loads ssgi.wasm (make wasm), without dependencies, in a page or in node.
 
       import { load } from './ssgi.mjs';
       const ssgi = await load();                             // or a URL, bytes, a WebAssembly.Module
       const chain = ssgi.chain('hsao,dialect=300es,normal=from-depth');       // ssgi.methods lists the names
-      const view = ssgi.view(projection, width, height);     // projection: 16 numbers, as GL has them
+      const view = ssgi.view(projection, width, height);     // projection: 16 numbers, in GL's order
       const frame = ssgi.frame(view, 0.5, chain);            // frame.thickness_limit[0] = 0.2; ..
       gl.bufferSubData(gl.UNIFORM_BUFFER, 0, frame.buffer);  // the block "ssgi_frame"
-      for (const step of ssgi.steps({ ...chain, width, height })) {           // what is drawn, in order
+      for (const step of ssgi.steps({ ...chain, width, height })) {           // the draws, in order
           gl.shaderSource(shader, ssgi.shader(step.desc, 'frag'));              // and 'vert'
           for (const row of ssgi.rows(step.desc)) ..         // { name: 't_ssgi_depth', kind: 'TEXTURE', slot: 0, .. }
       }
 
-   A desc is a flat object of the fields of ssgi_gl_desc (ssgi_gl.h), by the names that ssgi.choices lists, which need
-   no group: steps is gather.samples. Enums go by their words: the C name less its prefix. A wrong argument throws an
-   Error of one sentence: the library's, or where the library cannot look (types, lengths, memory) one from here. */
+   A desc is a flat object of the fields of ssgi_gl_desc (ssgi_gl.h) by the names in ssgi.choices, without their groups:
+   samples is gather.samples. Enums are words: the C name without its prefix. A wrong argument throws an Error of one
+   sentence: the library's or, for faults that it cannot see (types, lengths, memory), one of this file. */
 
 const stages = ['vert', 'frag', 'tesc', 'tese', 'geom', 'comp'];
 const kinds = ['TEXTURE', 'PARAM', 'OUTPUT', 'CONSTANT', 'ATTRIBUTE', 'CAPTURE'];
@@ -21,17 +21,17 @@ const presets = ['FAST', 'BALANCED', 'BEST'];
 const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER_NORMALS', 'LAYER_ALBEDOS', 'DIRECT',
                   'NOISE', 'KERNEL', 'ENVIRONMENT', 'IRRADIANCE', 'LIGHTS', 'SHADOW', 'OCCLUDERS', 'FIELDS', 'OBJECTS',
                   'MOTION', 'AMBIENT', 'CAP'];                                  /* SSGI_GL_YOUR_ .. */
-const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS', 'TILES', 'QUARTER'];
+const results = ['NONE', 'LIGHT', 'BOUNCE'], scales = ['FULL', 'HALF', 'LEVELS', 'TILES', 'QUARTER'];
 const clips = ['GL', 'ZERO', 'GL_ROWS_DOWN', 'ZERO_ROWS_DOWN'], lamps = ['SUN', 'POINT', 'SPOT', 'VPL'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
-const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
+const memoryMost = 0x7fff0000;                                                  /* addresses are signed */
 const rowsMost = 16384;                                                         /* of a texture */
 
-/* ---- what the library cannot see of an argument */
+/* ---- checks of arguments that the library cannot make */
 
 function fail(sentence) { throw new Error(sentence); }
 
-/* The int32 that a number, true or false is; null: it is none. WebAssembly would cut it down to one without a word. */
+/* A number, true or false as an int32; null: it is none. WebAssembly would truncate it silently. */
 function int32(value) {
     const whole = typeof value === 'boolean' ? Number(value) : value;
     return Number.isInteger(whole) && Math.abs(whole) <= 0x7fffffff ? whole : null;
@@ -51,7 +51,7 @@ function object(name, value) {
         : fail(`${name}: must be an object`);
 }
 
-/* How many numbers there are in an array, plain or typed: so many, or at least so many. */
+/* The number of numbers in an array, plain or typed, which must have from least to most. */
 function countOf(name, list, least = 0, most = least || Infinity) {
     const { length } = typeof list === 'object' && list !== null ? list : {};
     if (!Number.isInteger(length)) fail(`${name}: must be an array of numbers`);
@@ -64,11 +64,12 @@ function opaque(name, value, length, from) {
     return value instanceof Uint8Array && value.length === length ? value : fail(`${name}: must be what ${from} gave`);
 }
 
-/* ssgi.wasm, of whatever names it: compiled while it comes, or its bytes where the server names another type. */
+/* ssgi.wasm as a module or bytes, from any source: compiled while it arrives, or its bytes if the server gives it
+   another type. */
 async function moduleOf(source) {
     const url = new URL(source, globalThis.location?.href);
     if (url.protocol === 'file:' && globalThis.process?.versions?.node) {
-        const files = 'node:fs/promises';           /* no word that bundlers of pages would follow */
+        const files = 'node:fs/promises';           /* not a literal, which bundlers of pages would follow */
         return (await import(/* webpackIgnore: true */ /* @vite-ignore */ files)).readFile(url);
     }
     const answer = await fetch(url);
@@ -92,7 +93,7 @@ export async function load(source = new URL('ssgi.wasm', import.meta.url)) {
 
 const loaded = new Map();                       /* promises of Ssgi by source */
 
-/* As load, but a source is read once. source may be an Ssgi, too. */
+/* As load, but reads each source only once. source may also be an Ssgi. */
 export function loadOnce(source) {
     if (source instanceof Ssgi) return Promise.resolve(source);
     if (!loaded.has(source))
@@ -102,8 +103,8 @@ export function loadOnce(source) {
 
 export class Ssgi {
     #c; #top; #strings;
-    #at = {};                                   /* sizes and places by name */
-    #of = {};                                   /* places: struct, member */
+    #at = {};                                   /* sizes and offsets by name */
+    #of = {};                                   /* offsets: struct, member */
 
     constructor(exports) {
         if (!(exports?.memory instanceof WebAssembly.Memory) || typeof exports.ssgi_wasm_place_at !== 'function'
@@ -136,14 +137,14 @@ export class Ssgi {
         this.dialects = this.#list(exports.ssgi_gl_dialect_name, s => this.#string(s));
     }
 
-    /* A text by a function that works like snprintf; '' where it writes none. */
+    /* The text that a function like snprintf writes; '' if it writes none. */
     #written(write) {
         const n = write(0, 0), out = this.#room(n + 1);
         write(out, n + 1);
         return n ? this.#string(out) : '';
     }
 
-    /* The GLSL of a stage; '' where the pass has none. */
+    /* The GLSL of a stage; '' if the pass has no such stage. */
     shader(desc, stage = 'frag') {
         return this.#scope(() => {
             const d = this.#good(desc), s = word('stage', stage, stages);
@@ -151,7 +152,7 @@ export class Ssgi {
         });
     }
 
-    /* Functions by which your own shaders read the result of the step with this desc: ssgi_gl_read. */
+    /* GLSL functions by which your own shaders read the result of the step with this desc: ssgi_gl_read. */
     read(desc) {
         return this.#scope(() => {
             const d = this.#good(desc), text = this.#written((out, room) => this.#c.ssgi_gl_read(out, room, d));
@@ -159,12 +160,12 @@ export class Ssgi {
             return text;
         });
     }
-    /* Functions that tell which light visibility dims: ssgi_gl_reflection. */
+    /* GLSL functions for the light that visibility dims: ssgi_gl_reflection. */
     reflection() {
         return this.#scope(() => this.#written((out, room) => this.#c.ssgi_gl_reflection(out, room)));
     }
 
-    /* What to bind: ssgi_gl_io. */
+    /* The inputs and outputs to bind: ssgi_gl_io. */
     rows(desc) {
         return this.#scope(() => {
             const d = this.#good(desc), n = this.#c.ssgi_gl_reflect(d, 0, 0);
@@ -174,12 +175,12 @@ export class Ssgi {
         });
     }
 
-    /* The draws of a chain in their order: ssgi_gl_chain's and ssgi_gl_step's members by their names, enums by their
-       words less the prefix (an input's meaning null: a texture of the steps). */
+    /* The draws of a chain in order: members of ssgi_gl_chain and ssgi_gl_step by their names, enums by their words
+       without the prefix (an input's meaning null: a texture of the steps). */
     steps(chain) {
         return this.#scope(() => {
             const { ssgi_gl_step: step } = this.#of, size = this.#at.ssgi_gl_step, at = this.#chain(chain);
-            const why = this.#room(4), most = 32;       /* hardly a chain has more; asking twice takes as long again */
+            const why = this.#room(4), most = 32;       /* few chains have more; they need a second call */
             let steps = this.#room(most * size);
             const n = this.#c.ssgi_gl_steps(steps, most, at, why);
             if (!n) fail(this.#string(this.#int(why)));
@@ -189,7 +190,7 @@ export class Ssgi {
         });
     }
 
-    /* A method's chain by name and settings, as ssgi_gl_chain_of has it: { ...chain('hsao'), width, height } */
+    /* A method's chain by name and settings, as by ssgi_gl_chain_of: { ...chain('hsao'), width, height } */
     chain(name) {
         return this.#scope(() => {
             const { ssgi_gl_chain: places } = this.#of, at = this.#room(this.#at.ssgi_gl_chain);
@@ -205,7 +206,7 @@ export class Ssgi {
     check(desc) { this.#scope(() => this.#good(desc)); }
     key(desc) { return this.#scope(() => BigInt.asUintN(64, this.#c.ssgi_gl_key(this.#good(desc)))); }
 
-    /* The desc with a preset's settings; with what its zeros mean. */
+    /* preset: the desc with a preset's settings. resolve: the desc with zeros replaced by their defaults. */
     preset(desc, preset) {
         return this.#scope(() => {
             const d = this.#desc(desc);
@@ -232,7 +233,7 @@ export class Ssgi {
         });
     }
 
-    /* { buffer, and each member of ssgi_gl_frame as a typed array in it }; chain: with the values that suit it */
+    /* Returns { buffer, and each member of ssgi_gl_frame as a typed array in it }; with chain: the values for it */
     frame(view, radius, chain = null) {
         const frame = { buffer: new ArrayBuffer(this.#at.ssgi_gl_frame) };
         for (const m of this.members.filter(m => m.slot === 0)) {
@@ -248,7 +249,7 @@ export class Ssgi {
         });
     }
 
-    /* view and lastWorldToView: of the last frame. Leave out after a cut or a change of size. */
+    /* view and lastWorldToView: of the last frame. Do not call it after a cut or a change of size. */
     history(frame, view, worldToView, lastWorldToView) {
         return this.#onFrame(frame, f => {
             const v = this.#view(view), now = this.#floats('worldToView', worldToView, 16);
@@ -263,7 +264,7 @@ export class Ssgi {
             this.#try(why => this.#c.ssgi_gl_harmonics_set(f, from, bands, turn, why));
         });
     }
-    /* What surfels are made with; desc: members of ssgi_surfel_desc, 0 where left out. */
+    /* A complete surfel desc; desc: members of ssgi_surfel_desc, 0 if missing. */
     surfels(frame, view, desc = {}) {
         return this.#onFrame(frame, f => {
             const { ssgi_surfel_desc: places } = this.#of, d = this.#room(this.#at.ssgi_surfel_desc);
@@ -276,8 +277,9 @@ export class Ssgi {
             this.#try(why => this.#c.ssgi_gl_surfels_set(f, v, d, 0, why));
         });
     }
-    /* Its row of t_ssgi_lights: 8 texels of RGBA32F. light: members of ssgi_gl_light; map: where its shadow map is in
-       t_ssgi_shadow, the view that it was drawn with, the way to the picture's view space and to its own. */
+    /* A light's row of t_ssgi_lights: 8 texels of RGBA32F. light: members of ssgi_gl_light; map: the place of its
+       shadow map in t_ssgi_shadow, the view with which that was drawn, and matrices to the picture's view space and to
+       its own. */
     light(light, map = null) {
         return this.#scope(() => {
             const { kind, at, colour, min_distance = 0, normal = [0, 0, 0] } = object('light', light);
@@ -303,7 +305,7 @@ export class Ssgi {
 
     /* ---- an environment: rgb, latitude-longitude, +y up, its centre toward +z (ssgi.h, >>environment and >>sh) */
 
-    /* size * size * 3 floats: seen through a lobe, 0: irradiance over pi; over a cone; the residual of harmonics */
+    /* size * size * 3 floats: through a lobe (0: irradiance over pi); over a cone; the residual of harmonics */
     environmentMap(size, rgb, width, height, solidAngle = 0) {
         const angle = number('solidAngle', solidAngle);
         return this.#made('size', size, map => {
@@ -332,9 +334,9 @@ export class Ssgi {
         });
     }
 
-    /* ---- a baked field, of the bytes of ssgi_field_save. texels: of a slice of t_ssgi_fields, RG32UI. occluder: its
-       row of t_ssgi_occluders where it stands; limits: those that are not ssgi_field_limits_of's. What a field takes is
-       kept for as long as this Ssgi is. */
+    /* ---- a baked field, from the bytes of ssgi_field_save. texels: a slice of t_ssgi_fields, RG32UI. occluder: its
+       row of t_ssgi_occluders at a place; limits: those that differ from ssgi_field_limits_of's. A field's memory is
+       kept as long as this Ssgi. */
     field(bytes) {
         if (!(bytes instanceof Uint8Array)) fail('field: must be bytes of ssgi_field_save');
         const { ssgi_field: places } = this.#of;
@@ -366,9 +368,8 @@ export class Ssgi {
         };
     }
 
-    /* ---- rays against triangles: position xyz a vertex; index three a triangle, null: vertices in order. What it
-       takes is kept for as long as this Ssgi is. As in C, triangles and rays with a number that is not finite are
-       never hit and hit nothing. */
+    /* ---- rays against triangles. position: xyz a vertex; index: three a triangle, null: vertices in order. Its memory
+       is kept as long as this Ssgi. As in C, triangles and rays with a number that is not finite never meet. */
     trace(position, index = null) {
         const [triangles, places] = this.#counts(position, index), size = this.#c.ssgi_trace_size(triangles) >>> 0;
         const [trace, ray, hit] = this.#kept(() => {
@@ -385,7 +386,7 @@ export class Ssgi {
         const send = (origin, direction, tmin, tmax) => {
             if (origin?.length !== 3 || direction?.length !== 3) fail('origin, direction: must be three numbers each');
             if (typeof tmin !== 'number' || typeof tmax !== 'number') fail('tmin, tmax: must be numbers');
-            if (!floats.length) {                           /* it was another's memory that grew */
+            if (!floats.length) {                           /* another call's memory has grown */
                 floats = new Float32Array(this.#c.memory.buffer);
                 ints = new Uint32Array(this.#c.memory.buffer);
             }
@@ -409,7 +410,7 @@ export class Ssgi {
         };
     }
 
-    /* Of triangles, and of numbers of positions. */
+    /* The numbers of triangles and of positions' numbers. */
     #counts(position, index) {
         const [of, what] = index === null ? [9, 'triangle'] : [3, 'vertex'], places = countOf('position', position);
         if (!places || places % of) fail(`position: must have ${of} numbers a ${what}, has ${places}`);
@@ -418,7 +419,7 @@ export class Ssgi {
         if (corners % 3) fail(`index: must have 3 numbers a triangle, has ${corners}`);
         return [corners / 3, places];
     }
-    /* Corners of triangles that are there. */
+    /* Checks that the corners of triangles exist. */
     #corners(index, n, vertices) {
         const at = this.#room(4 * n, 'index'), to = new Uint32Array(this.#c.memory.buffer, at, n);
         for (let i = 0; i < n; ++i) {
@@ -430,18 +431,18 @@ export class Ssgi {
         return at;
     }
 
-    /* ---- memory: what a call needs is taken from #top on, and given back when its scope ends */
+    /* ---- memory: a call allocates from #top on, and frees it when its scope ends */
 
     #scope(body) {
         const top = this.#top;
         try { return body(); } finally { this.#top = top; }
     }
-    /* Given back only if it fails. */
+    /* Frees body's memory only if body fails. */
     #kept(body) {
         const top = this.#top;
         try { return body(); } catch (e) { this.#top = top; throw e; }
     }
-    /* what: the argument that it is for, to be named where there is no such room */
+    /* what: the argument that needs it, for the error message */
     #room(bytes, what = 'memory') {
         const at = Math.ceil(this.#top / 16) * 16, end = at + bytes, memory = this.#c.memory;
         const lacking = end - memory.buffer.byteLength, MB = Math.ceil(end / 2 ** 20);
@@ -461,7 +462,7 @@ export class Ssgi {
         this.#bytes(at, bytes.byteLength).set(bytes);
         return at;
     }
-    /* The first n of a list, by their places: an iterator may give more than there is room for. */
+    /* Copies the first n of a list by their indices, because an iterator may give more than there is room for. */
     #setFloats(at, list, n, name, finite = false) {
         const to = new Float32Array(this.#c.memory.buffer, at, n);
         for (let i = 0; i < n; ++i) {
@@ -470,7 +471,7 @@ export class Ssgi {
             if (finite && !Number.isFinite(to[i])) fail(`${name}: must be finite`);
         }
     }
-    /* Of at least so many, those that are asked for. */
+    /* Copies a list of numbers, the first `least` or, with a limit `most`, all of them; returns their address. */
     #floats(name, list, least, most, finite) {
         const all = countOf(name, list, least, most), n = most === Infinity ? least : all;
         const at = this.#room(4 * n, name);
@@ -482,7 +483,7 @@ export class Ssgi {
         countOf('coefficients', list);
         return this.#floats('coefficients', list, 3 * whole('bands', bands) ** 2, Infinity, true);
     }
-    #image(rgb, width, height) {                            /* the library says what is wrong with sides below 1 */
+    #image(rgb, width, height) {                            /* the library reports sides below 1 */
         const pixels = whole('width', width) > 0 && whole('height', height) > 0 ? width * height : 0;
         return this.#floats('rgb', rgb, 3 * pixels);
     }
@@ -502,7 +503,7 @@ export class Ssgi {
                  offset: this.#int(at + io.offset), format: this.#string(this.#int(at + io.format)),
                  ...this.#ints(at, io, ['set', 'binding']) };
     }
-    /* The ints at `at`, of each of these names. */
+    /* Reads the ints of these names from the struct at `at`. */
     #ints(at, places, names) {
         return Object.fromEntries(names.map(name => [name, this.#int(at + places[name])]));
     }
@@ -519,21 +520,21 @@ export class Ssgi {
         const s = this.#ints(at, step, ['width', 'height', 'inputs', 'outputs', 'frame', 'primitive', 'vertices',
                                         'instances', 'clear']);
         return {
-            ...s, desc: this.#object(at + step.desc, like), size: sizes[this.#int(at + step.size)],
+            ...s, desc: this.#object(at + step.desc, like), scale: scales[this.#int(at + step.scale)],
             inputs: of(s.inputs, at + step.input, this.#at.ssgi_gl_input, k => ({
                 ...this.#ints(k, i, ['unit', 'target', 'set', 'binding', 'array', 'multisampled', 'integer', 'texture',
                                      'last', 'width', 'height']),
                 name: this.#string(this.#int(k + i.name)), type: this.#string(this.#int(k + i.type)),
                 meaning: meanings[this.#int(k + i.meaning)] ?? null, format: this.#format(this.#int(k + i.format)) })),
             outputs: of(s.outputs, at + step.output, this.#at.ssgi_gl_output, k => ({
-                ...this.#ints(k, o, ['texture', 'slices', 'slice', 'set', 'binding', 'kept']),
+                ...this.#ints(k, o, ['texture', 'layers', 'layer', 'set', 'binding', 'kept']),
                 name: this.#string(this.#int(k + o.name)), format: this.#format(this.#int(k + o.format)),
                 result: results[this.#int(k + o.result)] })),
             blend: of(3, at + step.blend, 4, k => this.#int(k)), groups: of(2, at + step.groups, 4, k => this.#int(k)),
             clear_to: new DataView(this.#c.memory.buffer).getFloat32(at + step.clear_to, true)
         };
     }
-    /* The 3 * side^2 floats that body writes. */
+    /* Returns the 3 * side^2 floats that body writes. */
     #made(name, side, body) {
         return this.#scope(() => {
             const bytes = 12 * whole(name, side) ** 2, at = this.#room(bytes, name);

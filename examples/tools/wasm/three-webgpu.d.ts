@@ -5,7 +5,7 @@ import type { Plan } from 'ssgi/webgpu';
 export interface Options {
   /** [units: of the scene] distance of the farthest occluder; default 1 */
   radius?: number;
-  /** is given each frame's block before it is drawn */
+  /** called with each frame's block before it is drawn */
   adjust?: ((frame: Frame) => void) | null;
 }
 
@@ -13,18 +13,19 @@ export interface Options {
 export class OcclusionNode extends Node {
   constructor(chain: Plan, inputs: { [meaning: string]: TextureNode | Texture }, camera: Camera, options?: Options,
               source?: Ssgi | string | URL | BufferSource | WebAssembly.Module);
-  /** kept once ssgi.wasm is there: until then it is white */
+  /** resolves when ssgi.wasm is loaded; before that the node is white */
   readonly ready: Promise<OcclusionNode>;
-  /** must be one of perspective: while it is not, nothing is drawn */
+  /** must be a perspective camera, else nothing is drawn */
   camera: Camera;
   /** [units: of the scene] */
   radius: number;
   adjust: ((frame: Frame) => void) | null;
-  /** why nothing is drawn; null: it is */
+  /** why nothing is drawn; null: the node is drawn */
   readonly lacks: string | null;
-  /** LIGHT: ambient visibility, or light over pi; BOUNCE: what is added to that; null: the chain has none */
+  /** LIGHT: ambient visibility, or light over pi; BOUNCE: to be added to the light; null: the chain has no such
+   *  result */
   getTextureNode(name?: 'LIGHT' | 'BOUNCE'): TextureNode;
-  /** the next frame shows another place */
+  /** call it before a frame that shows another place: history begins anew */
   cut(): void;
   dispose(): void;
 }

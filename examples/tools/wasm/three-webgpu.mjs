@@ -1,4 +1,4 @@
-/* three-webgpu.mjs - ssgi in three.js' WebGPURenderer: a node that draws a chain of the package, as GTAONode stands.
+/* three-webgpu.mjs - ssgi in three.js' WebGPURenderer: a node that draws a chain of the package, used as GTAONode is.
 
       import hsao from 'ssgi/chains/hsao';
       import { occlusion } from 'ssgi/three/webgpu';
@@ -6,11 +6,11 @@
       before.setMRT(mrt({ output: normalView }));
       const seen = occlusion(hsao, { DEPTH: before.getTextureNode('depth'), NORMAL: before.getTextureNode() }, camera,
                              { radius: 0.5 });
-      picture.contextNode = builtinAOContext(seen.getTextureNode().sample(screenUV).r);   // ambient light alone
+      picture.contextNode = builtinAOContext(seen.getTextureNode().sample(screenUV).r);   // only ambient light
       pipeline.outputNode = picture;
 
-   Where three has fallen back to WebGL 2, and while node.camera is orthographic, the node is white, and node.lacks says
-   why: nothing resets the copy of GL's state that three keeps there; these chains are of perspective. */
+   The node is white, and node.lacks says why, if three has fallen back to WebGL 2, whose cached state cannot be reset
+   there, and while node.camera is orthographic, because these chains are for perspective. */
 import { DataTexture, ExternalTexture, NearestFilter, Node, NodeUpdateType } from 'three/webgpu';
 import { passTexture } from 'three/tsl';
 import { loadOnce } from './ssgi.mjs';
@@ -30,8 +30,8 @@ function white() {
 export class OcclusionNode extends Node {
     static get type() { return 'OcclusionNode'; }
 
-    /* In units of the scene; a function that is given each frame's block, for harmonics, thickness_limit; why nothing
-       is drawn, null: it is. */
+    /* radius: in units of the scene. adjust: called with each frame's block, to set harmonics, thickness_limit. lacks:
+       why nothing is drawn; null: the node is drawn. */
     radius = 1;
     adjust = null;
     lacks = null;
@@ -39,17 +39,17 @@ export class OcclusionNode extends Node {
     #chain; #history; #nodes = {}; #ssgi = null; #passes = null; #linked = false; #device = null; #block = null;
     #size = [0, 0]; #shown = new Map(); #white = white(); #frames = 0; #last = null;
 
-    /* A promise of this node, kept once ssgi.wasm is there: until then it is white. */
+    /* A promise of this node, resolved when ssgi.wasm is loaded; before that the node is white. */
     ready;
 
-    /* chain: of ssgi/chains. inputs: nodes of textures by meaning, or textures. source: as SSGIPass takes it */
+    /* chain: of ssgi/chains. inputs: texture nodes or textures by meaning. source: as in SSGIPass */
     constructor(chain, inputs, camera, { radius = 1, adjust = null } = {}, source = undefined) {
         super('vec4');
         if (typeof radius !== 'number' || !(radius > 0)) throw new Error('radius: must be a number above 0');
         for (const { yours } of chain.steps.flatMap(step => step.inputs))
             if (yours && !inputs[yours]) throw new Error(`inputs: ${chain.name} reads ${yours}: give its texture node`);
         if (isOrthographic(camera)) throw new Error(parallel);
-        sized(chain, 1, 1);                         /* throws where this cannot be drawn */
+        sized(chain, 1, 1);                         /* throws if it cannot draw the chain */
         Object.assign(this, { inputs, camera, radius, adjust, updateBeforeType: NodeUpdateType.FRAME });
         this.#chain = chain;
         this.#history = chain.textures.some(({ kept }) => kept);
@@ -62,10 +62,10 @@ export class OcclusionNode extends Node {
         });
     }
 
-    /* LIGHT: ambient visibility, or light over pi; BOUNCE: what is added to that. */
+    /* LIGHT: ambient visibility, or light over pi; BOUNCE: to be added to the light. */
     getTextureNode(name = 'LIGHT') { return this.#nodes[name] ?? null; }
 
-    /* Frames before the next one tell nothing of it: the camera stands elsewhere. */
+    /* Call it before a frame that shows another place: history begins anew. */
     cut() { this.#last = null; }
 
     setup(builder) {
@@ -125,7 +125,7 @@ export class OcclusionNode extends Node {
         if (this.#history) this.#passes.turn();
     }
 
-    /* A texture of three's for one of the chain's; of a kept one there are two. */
+    /* A texture of three for a texture of the chain; a kept one has two. */
     #shownOf(gpu) {
         if (!this.#shown.has(gpu)) {
             const texture = new ExternalTexture(gpu);

@@ -7,13 +7,13 @@ export interface Options extends Desc {
   preset?: Preset;
   /** [units: of the scene] distance of the farthest occluder; default 1 */
   radius?: number;
-  /** visibility v is shown as 1 + strength (v - 1); default 1 */
+  /** default 1: visibility v is shown as 1 + strength (v - 1) */
   strength?: number;
-  /** default true: ambient light alone is dimmed; false: all that is drawn */
+  /** default true: only ambient light is dimmed; false: the whole picture is */
   ambient?: boolean;
   /** default false; true: 16 frames are averaged */
   history?: boolean;
-  /** of opaque edges; default 0 */
+  /** multisampling: the samples of a pixel at opaque edges; default 0 */
   samples?: number;
   /** default 1: the result is filtered; 0: it is not */
   blur?: 0 | 1;
@@ -21,13 +21,13 @@ export interface Options extends Desc {
 
 /** A pass of EffectComposer that draws the scene with occlusion. */
 export class SSGIPass {
-  /** source: by default ssgi.wasm beside three.mjs */
+  /** source: default: ssgi.wasm in three.mjs's folder */
   constructor(scene: Scene, camera: Camera, options?: Options,
               source?: Ssgi | string | URL | BufferSource | WebAssembly.Module);
-  /** kept once ssgi.wasm is there: until then the scene is drawn without occlusion */
+  /** resolves when ssgi.wasm is loaded; before that the scene is drawn without occlusion */
   readonly ready: Promise<SSGIPass>;
   scene: Scene;
-  /** of any kind: another one is followed */
+  /** of any kind; may be replaced at any time */
   camera: Camera;
   readonly isPass: true;
   enabled: boolean;
@@ -38,21 +38,21 @@ export class SSGIPass {
   strength: number;
   /** the result without the picture */
   alone: boolean;
-  /** is given each frame's block before it is drawn */
+  /** called with each frame's block before it is drawn */
   adjust: ((frame: Frame) => void) | null;
-  /** textures of yours by meaning, as MOTION */
+  /** your textures by meaning, as MOTION */
   given: { [meaning: string]: Texture };
-  /** what is drawn after occlusion; default: what is transparent */
+  /** whether an object is drawn after occlusion; default: if it is transparent */
   isLate: (object: Object3D) => boolean;
-  /** radiance of the ambient light, nine coefficients of three colours; null: of the scene's lights */
+  /** radiance of the ambient light, nine coefficients of three colours; null: from the scene's lights */
   harmonics: ArrayLike<number> | null;
   /** ambient visibility, or light over pi, of the last frame */
   readonly texture: Texture | null;
-  /** the scene's depth in the last frame, which render's target has, too */
+  /** the scene's depth in the last frame; render's target also has it */
   readonly depthTexture: DepthTexture | null;
   /** throws an Error of one sentence if an option is wrong */
   set(options: Options): void;
-  /** the next frame shows another place */
+  /** call it before a frame that shows another place: history begins anew */
   cut(): void;
   setSize(width: number, height: number): void;
   render(renderer: WebGLRenderer, writeBuffer: WebGLRenderTarget | null, readBuffer?: WebGLRenderTarget | null,
@@ -60,13 +60,13 @@ export class SSGIPass {
   dispose(): void;
 }
 
-/** A texture of three's as WebGL has it. */
+/** The WebGL texture of a texture of three. */
 export function rawOf(renderer: WebGLRenderer, texture: Texture): WebGLTexture | null;
-/** After draws that three does not know of. */
+/** Call it after draws outside three: it renews three's copy of GL's state. */
 export function resetState(renderer: WebGLRenderer): void;
 export function viewOf(ssgi: Ssgi, camera: Camera, width: number, height: number): Uint8Array;
 export function writes(material: Material, outputs: { name: string; is: string; fogged?: boolean }[]): () => void;
-/** Nine coefficients of AmbientLight, HemisphereLight and LightProbe, as radiance in the world. */
+/** Nine coefficients of AmbientLight, HemisphereLight and LightProbe, as radiance in world space. */
 export function ambientOf(scene: Object3D): Float32Array;
 export function harmonicsText(name: string): string;
 

@@ -1,39 +1,38 @@
 /* three.mjs - ssgi in three.js: a pass for EffectComposer of WebGLRenderer, and its parts.
 
       import { SSGIPass } from 'ssgi/three';
-      composer.addPass(new SSGIPass(scene, camera, { radius: 0.5 }));      // where RenderPass stood
+      composer.addPass(new SSGIPass(scene, camera, { radius: 0.5 }));      // in the place of RenderPass
       composer.addPass(new OutputPass());
 
-   It draws the scene itself: first all that is opaque, with its depth; then occlusion, of ambient light alone; then
-   over it all that is transparent, which neither occludes nor is dimmed. Passes of TAA come after it. Options besides
-   those of SSGIPass.set are the fields of a desc (ssgi.choices), such as pass, thickness, resolution, samples:
+   It draws the scene itself: first all opaque objects, with depth; then occlusion, which only dims ambient light; then
+   all transparent objects, which neither occlude nor are dimmed. Passes of TAA come after it. In addition to the
+   options of SSGIPass.set it has the fields of a desc (ssgi.choices), such as pass, thickness, resolution, samples:
 
       { pass: 'HSAO', preset: 'FAST', history: true }         // ambient visibility
-      { pass: 'SSDO' }                                        // the scene's ambient light, by its directions
-      { pass: 'SSDO', bounce: 'SOLID_ANGLE' }                 // and one diffuse bounce of all light
-*/
+      { pass: 'SSDO' }                                        // the scene's ambient light, by direction
+      { pass: 'SSDO', bounce: 'SOLID_ANGLE' }                 // and one diffuse bounce of all light */
 import * as THREE from 'three';
 import { Ssgi, loadOnce } from './ssgi.mjs';
 import { Drawer } from './webgl.mjs';
 
 /* ---- parts, for renderers of your own */
 
-/* A texture of three's as WebGL has it, once three has drawn into it or sent it. */
+/* The WebGL texture of a texture of three, after three has drawn into it or uploaded it. */
 export const rawOf = (renderer, texture) => renderer.properties.get(texture).__webglTexture ?? null;
 
-/* The camera as ssgi takes it: after three has drawn with it, since that may reverse its depth. */
+/* The camera as a view of ssgi; call it after three has drawn with the camera, because that may reverse its depth. */
 export const viewOf = (ssgi, camera, width, height) =>
     ssgi.view(camera.projectionMatrix.elements, width, height, camera.reversedDepth ? 'ZERO' : 'GL');
 
-/* Whether its lines of sight are parallel, as a desc has it. */
+/* Whether the camera is orthographic, as a desc's field. */
 const isOrthographic = camera => +(camera.projectionMatrix.elements[11] === 0);
 
-/* Sets the colour to clear to, which three turns into one of the target that is bound then. */
+/* Sets the clear colour, which three converts to the colour space of the bound target. */
 const setClear = renderer =>
     renderer.setClearColor(renderer.getClearColor(new THREE.Color()), renderer.getClearAlpha());
 
-/* Tells three, after draws that it does not know of, that its copy of GL's state is stale. three's own resetState
-   forgets the colour to clear to, and that depth is reversed. */
+/* Tells three, after draws outside it, that its copy of GL's state is stale. three's own resetState loses the clear
+   colour and the reversal of depth. */
 export function resetState(renderer) {
     const { depth } = renderer.state.buffers, reversed = depth.getReversed?.();
     renderer.resetState();
@@ -43,8 +42,9 @@ export function resetState(renderer) {
     depth.setClear(1);
 }
 
-/* Makes a material of three's own write outputs 1, 2 .. beside its colour; outputs: [{ name, is, fogged }], is: a vec4
-   in GLSL where its lights are summed up, fogged: fog hides it. Returns a function that takes this back. */
+/* Makes a material of three write outputs 1, 2 .. in addition to its colour. outputs: [{ name, is, fogged }]. is: a
+   vec4 in GLSL, evaluated after the material's lights are summed; fogged: fog hides it. Returns a function that undoes
+   this. */
 export function writes(material, outputs) {
     const { onBeforeCompile: before, customProgramCacheKey: key } = material;
     const named = key !== THREE.Material.prototype.customProgramCacheKey, all = JSON.stringify(outputs);
@@ -67,7 +67,7 @@ export function writes(material, outputs) {
     };
 }
 
-/* A triangle over the picture. */
+/* A triangle that covers the picture. */
 function over(parameters) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
@@ -79,7 +79,7 @@ function over(parameters) {
     return mesh;
 }
 
-/* Draws while these members of all of these objects are others. */
+/* Draws while these objects have other values of these members. */
 function changed(objects, members, draw) {
     const names = Object.keys(members), were = objects.map(object => names.map(name => object[name]));
     for (const object of objects) Object.assign(object, members);
@@ -87,16 +87,16 @@ function changed(objects, members, draw) {
         objects.forEach((object, i) => names.forEach((name, k) => { object[name] = were[i][k]; }));
     }
 }
-/* Draws what is left of a scene without these objects. */
+/* Draws a scene without these objects. */
 const masked = (objects, draw) => changed(objects.map(({ layers }) => layers), { mask: 0 }, draw);
-/* Draws a scene without its background and its shadow maps, which are there. */
+/* Draws a scene without its background and without new shadow maps, which exist already. */
 const again = (renderer, scene, camera, members = {}) =>
     changed([renderer.shadowMap], { autoUpdate: false, needsUpdate: false }, () =>
         changed([scene], { background: null, ...members }, () => renderer.render(scene, camera)));
 
 const nearest = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
 
-/* Window depth alone, of faces that lie behind others. */
+/* Window depth of faces that are behind others. */
 const peeling = side => new THREE.ShaderMaterial({
     side, glslVersion: THREE.GLSL3, uniforms: { t_before: { value: null }, u_reversed: { value: false } },
     vertexShader: `#include <batching_pars_vertex>
@@ -121,7 +121,7 @@ const peeling = side => new THREE.ShaderMaterial({
         }`
 });
 
-/* The back faces that thickness BACK and SLABS read, drawn once more with their sides turned. */
+/* The back faces that thickness BACK and SLABS read: a second drawing of the scene with its sides turned. */
 export class Behind {
     #size; #targets = []; #slabs = null; #pack = null;
     #back = new THREE.MeshBasicMaterial({ side: THREE.BackSide, colorWrite: false });
@@ -129,7 +129,7 @@ export class Behind {
 
     constructor(width, height) { this.#size = [width, height]; }
 
-    /* count 1: a texture of depth of the nearest back face; 3: of that and of the next object's two sides */
+    /* count 1: a depth texture of the nearest back face; 3: of that and of both sides of the next object */
     draw(renderer, scene, camera, count) {
         for (let i = 0; i < count; ++i) {
             const target = this.#targets[i] ??= new THREE.WebGLRenderTarget(...this.#size, { ...nearest,
@@ -172,7 +172,8 @@ export class Behind {
     }
 }
 
-/* GLSL: irradiance over pi along n, of radiance as nine coefficients; band: factors of bands, 1 2/3 1/4 for that. */
+/* GLSL of irradiance over pi along n, from radiance as nine coefficients; band: factors of the bands, 1 2/3 1/4 for
+   that. */
 export const harmonicsText = name => `
     vec3 harmonics(vec3 n, vec3 band) {
         vec3 l = ${name}[0] * 0.282095 * band.x;
@@ -183,12 +184,12 @@ export const harmonicsText = name => `
         return max(l, 0.0);
     }`;
 
-/* ---- ambient light of a scene, as radiance: nine coefficients of three colours each, in the world */
+/* ---- ambient light of a scene, as radiance: nine coefficients of three colours each, in world space */
 
 const Y0 = 0.282095, Y1 = 0.488603;
 const plus = (sum, k, { r, g, b }, by) => [r, g, b].forEach((c, i) => { sum[3 * k + i] += c * by; });
 
-/* Of AmbientLight, HemisphereLight and LightProbe, wherever they are in it. */
+/* Sums AmbientLight, HemisphereLight and LightProbe anywhere in the scene. */
 export function ambientOf(scene) {
     const sum = new Float32Array(27), up = new THREE.Vector3();
     scene.traverseVisible(light => {
@@ -208,7 +209,7 @@ export function ambientOf(scene) {
     return sum;
 }
 
-/* Rows of an equirectangular texture with data of its own as ssgi has them: rgb, the first row is the sky's top. */
+/* The pixels of an equirectangular texture in ssgi's order: rgb, the first row at the top of the sky. */
 function pixelsOf({ image: { data, width, height }, flipY }) {
     const half = data instanceof Uint16Array, channels = data.length / (width * height);
     const value = data instanceof Uint8Array ? v => v / 255 : half ? THREE.DataUtils.fromHalfFloat : v => v;
@@ -219,12 +220,12 @@ function pixelsOf({ image: { data, width, height }, flipY }) {
     return rgb;
 }
 
-/* three looks up longitudes a quarter turn from where ssgi does. */
+/* three's longitudes are a quarter turn from ssgi's. */
 const quarter = new THREE.Matrix4().set(0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1);
 
 /* ---- the pass */
 
-/* What materials write besides their colour, by what ssgi calls it; unlit: by those that know no light. */
+/* Outputs of materials in addition to their colour, by ssgi's names; unlit: for materials without lights. */
 const outputsOf = {
     __proto__: null,
     AMBIENT: { is: 'vec4(reflectedLight.indirectDiffuse + reflectedLight.indirectSpecular, 0.0)', unlit: 'vec4(0.0)',
@@ -284,23 +285,24 @@ const composite = `
     #endif${encoded}`;
 
 export class SSGIPass {
-    isPass = true;                                  /* what EffectComposer asks of a pass */
+    isPass = true;                                  /* EffectComposer requires it of a pass */
     enabled = true;
     needsSwap = true;
     clear = false;
     renderToScreen = false;
 
-    /* In units of the scene; how strongly it is seen, 1: as it is; the result alone, without the picture; a function
-       that is given each frame's block, for thickness_limit, jitter, phase; textures of yours by meaning, as MOTION. */
+    /* radius: in units of the scene. strength: of the effect, 1: as computed. alone: the result without the picture.
+       adjust: called with each frame's block, to set thickness_limit, jitter, phase. given: your textures by meaning,
+       as MOTION. */
     radius = 1;
     strength = 1;
     alone = false;
     adjust = null;
     given = {};
-    /* Whether an object is drawn after occlusion; all objects with its materials must be, too. Things that three calls
-       transmissive look through to the opaque picture while three draws it, and stay in it. */
+    /* Whether an object is drawn after occlusion; all objects with its materials must be, too. Objects that three calls
+       transmissive read the opaque picture while three draws it, so they stay in it. */
     isLate = object => object.isSprite || materialsOf([object]).some(m => m.transparent && !m.transmission);
-    /* Radiance of ambient light as 27 numbers; null: that of the scene's lights and its equirectangular environment. */
+    /* Radiance of ambient light as 27 numbers; null: from the scene's lights and its equirectangular environment. */
     harmonics = null;
 
     #ssgi = null; #asked = {}; #options = {}; #width = 1; #height = 1; #drawer = null; #run = null; #renderer = null;
@@ -308,11 +310,11 @@ export class SSGIPass {
     #deep = null; #outputs = []; #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0;
     #environment = { of: null, sh: null };
 
-    /* A promise of this pass, kept once ssgi.wasm is there: until then the scene is drawn without occlusion. It is
-       broken by a sentence where ssgi.wasm cannot be read or an option is wrong. */
+    /* A promise of this pass, resolved when ssgi.wasm is loaded; before that the scene is drawn without occlusion. It
+       is rejected with a sentence if ssgi.wasm cannot be read or an option is wrong. */
     ready;
 
-    /* source: an Ssgi, which is there at once, or where ssgi.wasm is, as load() takes it: by default beside it */
+    /* source: an Ssgi, which needs no waiting, or a source of load(); default: ssgi.wasm in this file's folder */
     constructor(scene, camera, options = {}, source = undefined) {
         Object.assign(this, { scene, camera });
         const there = source instanceof Ssgi;
@@ -326,10 +328,10 @@ export class SSGIPass {
         });
     }
 
-    /* The method and how it is drawn, from now on; a wrong option throws a sentence, and nothing changes.
-       preset: 'FAST', 'BALANCED', 'BEST'. ambient: ambient light alone is dimmed (materials of three's own are made to
-       write it; those of your shaders are not dimmed), false: all that is drawn. history: 16 frames are averaged.
-       samples: of opaque edges. radius, strength: as the members. The rest: fields of a desc. */
+    /* Sets the method and its options from now on; a wrong option throws a sentence, and nothing changes. preset:
+       'FAST', 'BALANCED', 'BEST'. ambient: true: only ambient light is dimmed (materials of three are made to write it;
+       those of your own shaders are not dimmed), false: the whole picture is. history: 16 frames are averaged. samples:
+       multisampling of opaque edges. radius, strength: as the members. All others: fields of a desc. */
     set(options) {
         this.#asked = options;
         if (!this.#ssgi) return;
@@ -363,13 +365,13 @@ export class SSGIPass {
         [this.#width, this.#height] = [Math.max(1, Math.round(width)), Math.max(1, Math.round(height))];
     }
 
-    /* Frames before this one tell nothing of it: the camera stands elsewhere. */
+    /* Call it before a frame that shows another place: history begins anew. */
     cut() { this.#last = null; }
 
-    /* Ambient visibility, or light over pi, of the last frame; null: none has been drawn. */
+    /* Ambient visibility, or light over pi, of the last frame; null: no frame was drawn. */
     get texture() { return this.#run ? this.#light : null; }
 
-    /* The scene's depth in the last frame; null: none has been drawn. */
+    /* The scene's depth in the last frame; null: no frame was drawn. */
     get depthTexture() { return this.#opaque?.depthTexture ?? null; }
 
     render(renderer, writeBuffer) {
@@ -384,7 +386,7 @@ export class SSGIPass {
         });
     }
 
-    /* Into the target's depth buffer goes the scene's depth, as RenderPass leaves it for later passes. */
+    /* Draws into a target, whose depth buffer gets the scene's depth, as RenderPass leaves it for later passes. */
     #drawInto(renderer, target) {
         const { scene, camera } = this;
         if (renderer.capabilities.logarithmicDepthBuffer)
@@ -394,7 +396,7 @@ export class SSGIPass {
         scene.traverseVisible(o => {
             if (o.isMesh || o.isLine || o.isPoints || o.isSprite) (this.isLate(o) ? late : early).push(o);
         });
-        changed(materialsOf(late), { colorWrite: false, depthWrite: false }, () =>      /* they keep their shadows */
+        changed(materialsOf(late), { colorWrite: false, depthWrite: false }, () =>      /* they still cast shadows */
             this.#drawOpaque(renderer, early, late));
         const back = this.#backs && masked(late, () => this.#behind.draw(renderer, scene, camera, this.#backs));
         this.#occlude(renderer, back);
@@ -407,11 +409,11 @@ export class SSGIPass {
         if (target?.depthBuffer ?? true) renderer.render(this.#deep, camera);
     }
 
-    /* Makes what the picture's size, the kind of its camera and how far that sees ask for, unless it is there. */
+    /* Makes the run for the picture's size, the camera's kind and its far plane, unless it exists. */
     #fit(renderer) {
         const [width, height] = [this.#width, this.#height], { near, far } = this.camera, { chain } = this.#options;
         const orthographic = this.#asked.orthographic ?? isOrthographic(this.camera);
-        const precise = +(Math.max(far, far - near) > 65504);           /* the most that 16-bit floats hold */
+        const precise = +(Math.max(far, far - near) > 65504);           /* the largest 16-bit float */
         if (this.#renderer !== renderer) this.#leave();
         this.#renderer = renderer;
         if (this.#opaque?.width === width && this.#opaque.height === height && chain.precise === precise
@@ -438,9 +440,9 @@ export class SSGIPass {
         resetState(renderer);
     }
 
-    /* WebGL refuses a material that writes its colour alone, as those of your shaders and three's background do, while
-       more than the picture is drawn into. So the rest is bound for materials that write it. Depth of what does not
-       write it comes first: nothing behind it may leave ambient light there. */
+    /* While several outputs are bound, WebGL refuses a material that only writes its colour, such as those of your own
+       shaders and three's background. So the other outputs are bound only for materials that write them. The depth of
+       the others is drawn first, so that nothing behind them leaves ambient light there. */
     #drawOpaque(renderer, early, late) {
         const gl = renderer.getContext(), opaque = this.#opaque, made = this.#made, { scene, camera } = this;
         const materials = materialsOf(early), hooks = new Map(materials.map(m => [m, m.onBeforeRender]));
@@ -466,7 +468,7 @@ export class SSGIPass {
             masked([...early, ...late].filter(object => !strange.has(object)), () =>
                 changed(materialsOf([...strange]), { colorWrite: false }, () => again(renderer, scene, camera)));
         bind(1);
-        changed([renderer], { autoClearDepth: false }, () =>            /* three clears once more to a colour */
+        changed([renderer], { autoClearDepth: false }, () =>            /* three would clear to a colour again */
             changed(materials, { onBeforeRender }, () => renderer.render(scene, camera)));
     }
 
@@ -516,7 +518,7 @@ export class SSGIPass {
         resetState(renderer);
     }
 
-    /* The block's harmonics, turned to view space, and as the composite reads them. */
+    /* Writes the harmonics into the block, turned to view space, and for the composite. */
     #shine(frame, toView) {
         const ssgi = this.#ssgi, { scene } = this, { environment } = scene, at = new THREE.Matrix4();
         ssgi.harmonics(frame, this.harmonics ?? ambientOf(scene), 3, toView);
@@ -555,7 +557,7 @@ export class SSGIPass {
 
     #unmakeAll() { for (const material of [...this.#made]) this.#unmake(material); }
 
-    /* What is made for a size. */
+    /* Frees everything that was made for a size. */
     #release() {
         this.#opaque?.dispose();
         this.#over?.dispose();
@@ -578,4 +580,4 @@ export class SSGIPass {
     dispose() { this.#leave(); }
 }
 
-const written = new WeakMap();                      /* what materials write, and for how many passes */
+const written = new WeakMap();                      /* outputs of materials, and the number of passes that need them */

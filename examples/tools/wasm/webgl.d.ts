@@ -1,9 +1,9 @@
 import type { Chain, Desc, Format, Frame, Ssgi, Step } from 'ssgi';
 
-/** Textures by their meanings (Input.meaning), and what else a step reads. */
+/** Your textures by their meanings (Input.meaning), and other inputs of steps. */
 export interface Yours {
   [meaning: string]: WebGLTexture | null | undefined | WebGLFramebuffer | WebGLVertexArrayObject | number;
-  /** desc.onto draws onto this framebuffer, onto the canvas where there is none */
+  /** the framebuffer that desc.onto draws onto; default: the canvas */
   PICTURE?: WebGLFramebuffer | null;
   array?: WebGLVertexArrayObject;
   instances?: number;
@@ -13,18 +13,18 @@ export interface Yours {
 export interface Run {
   readonly chain: Chain;
   readonly steps: Step[];
-  /** ambient visibility, or light over pi; what a bounce adds to it */
+  /** ambient visibility, or light over pi; the bounce, to be added to it */
   readonly light: WebGLTexture | null;
   readonly format: Format | null;
   readonly bounce: WebGLTexture | null;
-  /** its programs are linked: draw() does not wait */
+  /** its programs are linked, so draw() does not wait */
   readonly linked: boolean;
-  /** of each step, once poll() has said so */
+  /** of each step; new if poll() has returned true */
   readonly ms: number[];
   readonly waiting: boolean;
   draw(yours: Yours, frame: Frame, clock?: 0 | 1 | 2): void;
   poll(): boolean;
-  /** after each frame whose history is kept */
+  /** call it after each frame whose history is kept */
   turn(): void;
   free(): void;
 }
@@ -36,12 +36,12 @@ export class Drawer {
   /** of the block "ssgi_frame" */
   binding: number;
   shader(desc: Desc, stage?: 'vert' | 'frag'): string;
-  texture(width: number, height: number, format: { internal: number }, slices?: number): WebGLTexture;
-  floats(rgba: Float32Array, width: number, height: number, slices?: number, given?: WebGLTexture | null): WebGLTexture;
+  texture(width: number, height: number, format: { internal: number }, layers?: number): WebGLTexture;
+  floats(rgba: Float32Array, width: number, height: number, layers?: number, given?: WebGLTexture | null): WebGLTexture;
   copy(texture: WebGLTexture, format: Format, width: number, height: number): WebGLTexture;
   read(texture: WebGLTexture, format: Format, width: number, height: number): Float32Array;
   free(texture: WebGLTexture): void;
   run(chain: Chain): Run;
-  /** once its runs are freed */
+  /** call it after its runs are freed */
   dispose(): void;
 }

@@ -1,12 +1,12 @@
-/* webgl.mjs - draws what ssgi.steps() lists, with WebGL 2 alone. Nothing here knows a method by name; what is drawn, in
-   which order, from what and into what is read from the steps.
+/* webgl.mjs - draws the steps of ssgi.steps() with WebGL 2 alone. No code here names a method; the draws, their order,
+   inputs and outputs come from the steps.
 
       const drawer = new Drawer(gl, ssgi), run = drawer.run({ desc, width, height, blur: 1 });
-      run.draw({ DEPTH: texture }, ssgi.frame(view, 0.5));        // textures of yours by their meanings
+      run.draw({ DEPTH: texture }, ssgi.frame(view, 0.5));        // your textures by their meanings
       run.light                                                   // a texture: ambient visibility, or light
 
-   With desc.onto the last step draws onto the framebuffer PICTURE, or onto the canvas. GL's state is left with tests,
-   culling and blending off: an engine that keeps a copy of it must drop that copy. */
+   With desc.onto the last step draws onto the framebuffer PICTURE, or onto the canvas. Afterwards GL's tests, culling
+   and blending are off: an engine that keeps a copy of GL's state must drop it. */
 
 export class Drawer {
     #gl; #ssgi; #programs = new Map(); #reader = null;
@@ -17,19 +17,19 @@ export class Drawer {
         this.#gl = gl;
         this.#ssgi = ssgi;
         this.array = gl.createVertexArray();
-        /* nearest texels, whatever a texture's own filters are; three.js compares depths of the sun's map */
+        /* nearest texels for any texture: its own filters may differ, and three.js compares depths of the sun's map */
         this.plain = gl.createSampler();
         for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
             gl.samplerParameteri(this.plain, name, gl.NEAREST);
-        gl.getExtension('EXT_float_blend');         /* where depths need 32 bits */
-        /* engines believe to own the first binding */
+        gl.getExtension('EXT_float_blend');         /* for depths that need 32 bits */
+        /* engines assume that they own the first binding */
         this.binding = gl.getParameter(gl.MAX_UNIFORM_BUFFER_BINDINGS) - 1;
         this.timer = gl.getExtension('EXT_disjoint_timer_query_webgl2');
-        /* asks without stopping whether a program is linked */
+        /* tells without blocking whether a program is linked */
         this.parallel = gl.getExtension('KHR_parallel_shader_compile');
     }
 
-    /* Begun at once, waited for by finish(): many are linked side by side. */
+    /* Begins a program at once; finish() waits for it. So many are linked in parallel. */
     program(desc) {
         const gl = this.#gl, key = this.#ssgi.key(desc);
         if (this.#programs.has(key)) return this.#programs.get(key);
@@ -69,16 +69,16 @@ export class Drawer {
         return finished || !this.parallel || this.#gl.getProgramParameter(program, this.parallel.COMPLETION_STATUS_KHR);
     }
 
-    texture(width, height, { internal }, slices = 0) {
-        const gl = this.#gl, target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, texture = gl.createTexture();
+    texture(width, height, { internal }, layers = 0) {
+        const gl = this.#gl, target = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, texture = gl.createTexture();
         gl.bindTexture(target, texture);
-        if (slices) gl.texStorage3D(target, 1, internal, width, height, slices);
+        if (layers) gl.texStorage3D(target, 1, internal, width, height, layers);
         else gl.texStorage2D(target, 1, internal, width, height);
         for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(target, name, gl.NEAREST);
         return texture;
     }
 
-    /* For uploads as they are: three leaves its own settings behind. */
+    /* Resets the pixel-store settings, which three leaves changed. */
     plainUploads() {
         const gl = this.#gl;
         gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
@@ -87,13 +87,14 @@ export class Drawer {
         gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
     }
 
-    /* Four floats a texel, the first row first; given: a texture of that size, or a new one is made. */
-    floats(rgba, width, height, slices = 0, given = null) {
-        const gl = this.#gl, target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
-        const into = given ?? this.texture(width, height, { internal: gl.RGBA32F }, slices);
+    /* A texture of four floats a texel, the first row first; given: a texture of that size to fill, else a new one is
+       made. */
+    floats(rgba, width, height, layers = 0, given = null) {
+        const gl = this.#gl, target = layers ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+        const into = given ?? this.texture(width, height, { internal: gl.RGBA32F }, layers);
         this.plainUploads();
         gl.bindTexture(target, into);
-        if (slices) gl.texSubImage3D(target, 0, 0, 0, 0, width, height, 1, gl.RGBA, gl.FLOAT, rgba);
+        if (layers) gl.texSubImage3D(target, 0, 0, 0, 0, width, height, 1, gl.RGBA, gl.FLOAT, rgba);
         else gl.texSubImage2D(target, 0, 0, 0, width, height, gl.RGBA, gl.FLOAT, rgba);
         return into;
     }
@@ -110,7 +111,7 @@ export class Drawer {
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         return made;
     }
-    /* Four numbers a texel; of bytes 0 to 1. */
+    /* Reads four numbers a texel; bytes become 0 to 1. */
     read(texture, format, width, height) {
         const gl = this.#gl, bytes = format.type === gl.UNSIGNED_BYTE;
         const all = new (bytes ? Uint8Array : Float32Array)(4 * width * height);
@@ -126,7 +127,7 @@ export class Drawer {
 
     run(chain) { return new Run(this.#gl, this.#ssgi, this, chain); }
 
-    /* Once its runs are freed. */
+    /* Call it after its runs are freed. */
     dispose() {
         const gl = this.#gl;
         for (const { program } of this.#programs.values()) gl.deleteProgram(program);
@@ -143,7 +144,7 @@ class Run {
     light = null;                                   /* result: ambient visibility or light; its format */
     format = null;
     bounce = null;
-    ms = [];                                        /* of each step, when clocked */
+    ms = [];                                        /* of each step, if clocked */
 
     constructor(gl, ssgi, drawer, chain) {
         this.#gl = gl;
@@ -158,15 +159,15 @@ class Run {
     #draw(step) {
         const gl = this.#gl, draw = { step, made: this.#drawer.program(step.desc), framebuffer: [] };
         if (step.outputs[0].texture < 0) return draw;           /* onto the picture */
-        for (const { texture, format, slices, kept } of step.outputs)
+        for (const { texture, format, layers, kept } of step.outputs)
             this.#textures[texture] ??= Array.from({ length: kept ? 2 : 1 },
-                () => this.#drawer.texture(step.width, step.height, format, slices));
+                () => this.#drawer.texture(step.width, step.height, format, layers));
         for (let turn = 0; turn < (step.outputs.some(o => o.kept) ? 2 : 1); ++turn) {
             const attachments = step.outputs.map((_, i) => gl.COLOR_ATTACHMENT0 + i);
             gl.bindFramebuffer(gl.FRAMEBUFFER, draw.framebuffer[turn] = gl.createFramebuffer());
-            step.outputs.forEach(({ texture, slices, slice }, i) => {
+            step.outputs.forEach(({ texture, layers, layer }, i) => {
                 const of = this.#textures[texture][turn] ?? this.#textures[texture][0];
-                if (slices) gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachments[i], of, 0, slice);
+                if (layers) gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachments[i], of, 0, layer);
                 else gl.framebufferTexture2D(gl.FRAMEBUFFER, attachments[i], gl.TEXTURE_2D, of, 0);
             });
             gl.drawBuffers(attachments);
@@ -187,9 +188,9 @@ class Run {
 
     get linked() { return this.#draws.every(({ made }) => this.#drawer.linked(made)); }
 
-    /* yours: textures by meaning, and PICTURE, the framebuffer that desc.onto draws onto, the canvas if there is none;
-       array, instances: the vertex array of a step that has attributes, and how many a step draws that names no number.
-       frame: of ssgi.frame(). clock: 1 times each step, 2 by waiting for it where there is no timer. */
+    /* yours: your textures by meaning, and PICTURE, the framebuffer that desc.onto draws onto (default: the canvas);
+       array: the vertex array of a step with attributes; instances: of a step that has no number of its own. frame: of
+       ssgi.frame(). clock: 1 times each step; 2 times it by waiting if there are no timer queries. */
     draw(yours, frame, clock = 0) {
         const gl = this.#gl, timer = clock === 1 ? this.#drawer.timer : null, queries = [];
         if (this.#pending.length) clock = 0;
@@ -230,7 +231,7 @@ class Run {
         gl.activeTexture(gl.TEXTURE0);
     }
 
-    /* A texel read back comes after what was drawn before: gl.finish() alone need not wait in a browser. */
+    /* Waits for a step: a texel is read back, which comes after its drawing; in a browser gl.finish() need not wait. */
     #wait({ outputs: [{ format: { type, name } }] }) {
         const gl = this.#gl;
         gl.finish();
@@ -239,7 +240,7 @@ class Run {
         else gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
     }
 
-    /* Timer queries come frames later; true: ms is new. */
+    /* Collects timer queries, which arrive some frames later; true: ms is new. */
     poll() {
         const gl = this.#gl, { timer } = this.#drawer, queries = this.#pending;
         if (!queries.length || !gl.getQueryParameter(queries.at(-1), gl.QUERY_RESULT_AVAILABLE)) return false;
@@ -251,7 +252,7 @@ class Run {
     }
     get waiting() { return this.#pending.length > 0; }
 
-    /* After a frame whose history is kept: both textures of each change places. */
+    /* Call it after a frame whose history is kept: it exchanges both textures of each kept one. */
     turn() {
         for (const { outputs } of this.steps)
             for (const { texture, kept } of outputs) if (kept) this.#textures[texture].reverse();

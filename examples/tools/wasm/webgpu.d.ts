@@ -1,9 +1,9 @@
-/** GPUDevice, GPUTexture and so on, whoever brings their types. */
+/** GPUDevice, GPUTexture and so on, from any package of types. */
 type OfWebGPU = any;
 
 export interface Input {
   binding: number; sample: 'uint' | 'unfilterable-float'; dimension: '2d' | '2d-array';
-  /** what texture of yours it is: DEPTH, NORMAL ..; undefined: one of the chain's, by its number */
+  /** your texture for it: DEPTH, NORMAL ..; undefined: a texture of the chain, by its number */
   yours?: string; texture?: number; last?: number;
 }
 
@@ -11,8 +11,8 @@ export interface Input {
 export interface Plan {
   name?: string;
   textures: {
-    format: string; slices: number; kept: number; result?: 'NONE' | 'LIGHT' | 'BOUNCE';
-    /** [width, height] once sized() */
+    format: string; layers: number; kept: number; result?: 'NONE' | 'LIGHT' | 'BOUNCE';
+    /** [width, height] after sized() */
     size: 'FULL' | 'HALF' | 'QUARTER' | 'TILES' | 'LEVELS' | number[];
   }[];
   steps: {
@@ -20,7 +20,7 @@ export interface Plan {
     clear: number | null; vertices: number; instances: number; inputs: Input[];
     /** of a compute stage: the width and height of a group */
     group?: [number, number];
-    outputs: { texture: number; slice: number; format: string; binding?: number }[];
+    outputs: { texture: number; layer: number; format: string; binding?: number }[];
     code?: { vert: string; frag: string } | { comp: string };
   }[];
 }
@@ -28,7 +28,7 @@ export type Step = Plan['steps'][number];
 
 /** A chain of wgsl/manifest.json as a plan without code. */
 export function planOf(manifest: object, chain: object, sizes?: number[][]): Plan;
-/** A plan of the package for pictures of this size. Throws where the chain draws surfels. */
+/** A plan of the package for pictures of this size. Throws if the chain draws surfels. */
 export function sized(plan: Plan, width: number, height: number): Plan;
 export function pipelineOf(step: Step, modules: { vert?: OfWebGPU; frag?: OfWebGPU; comp?: OfWebGPU },
                            stride?: number): OfWebGPU;
@@ -37,7 +37,7 @@ export function pipelineOf(step: Step, modules: { vert?: OfWebGPU; frag?: OfWebG
 export class Passes {
   constructor(device: OfWebGPU, plan: Plan,
               modulesOf?: ((step: Step) => OfWebGPU) | null, stride?: number);
-  /** its pipelines are there: until then draw() draws nothing */
+  /** resolves when its pipelines exist; before that draw() draws nothing */
   readonly ready: Promise<void>;
   readonly textures: OfWebGPU[][];
   resize(textures: Plan['textures']): void;
@@ -46,7 +46,7 @@ export class Passes {
     block: (step: number) => OfWebGPU; yours: (step: number, input: Input) => OfWebGPU;
     instances?: (step: number) => number; surfels?: OfWebGPU; stamps?: ((step: number) => OfWebGPU) | null;
   }): void;
-  /** after each frame whose history is kept */
+  /** call it after each frame whose history is kept */
   turn(): void;
   free(): void;
 }

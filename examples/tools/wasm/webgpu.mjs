@@ -1,4 +1,4 @@
-/* webgpu.mjs - draws a chain of ssgi with WebGPU, by what its plan says alone.
+/* webgpu.mjs - draws a chain of ssgi with WebGPU, from its plan alone.
 
       import hsao from 'ssgi/chains/hsao';
       const passes = new Passes(device, sized(hsao, width, height));
@@ -6,10 +6,10 @@
       passes.draw(encoder, { block: () => block, yours: (number, { yours }) => textures[yours] });
       passes.result('LIGHT')                                         // a GPUTexture: ambient visibility, or light
 
-   A plan: textures: [{ format, size, slices, kept, result }]; steps: [{ rows, blend: [operation, source, destination]
-   or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours, texture,
-   last }], outputs: [{ texture, slice, format }], code: { vert, frag } }], formats in WebGPU's words. A step with a
-   compute stage has code: { comp } and group: [width, height]; its outputs have a binding, too. */
+   A plan: textures: [{ format, size, layers, kept, result }]; steps: [{ rows, blend: [operation, source, destination]
+   or null, clear: null or a number, vertices, instances, inputs: [{ binding, sample, dimension, yours, texture, last
+   }], outputs: [{ texture, layer, format }], code: { vert, frag } }]. Formats are WebGPU's words. A step with a compute
+   stage has code: { comp } and group: [width, height]; its outputs have a binding, too. */
 
 const usage = 1 | 2 | 4 | 16;                       /* COPY_SRC, COPY_DST, TEXTURE_BINDING, RENDER_ATTACHMENT */
 const stored = 1 | 2 | 4 | 8;                       /* STORAGE_BINDING instead of RENDER_ATTACHMENT */
@@ -17,13 +17,13 @@ const both = 3, compute = 4;                        /* visible in VERTEX and FRA
 const of = (rows, kind) => rows.filter(row => row.kind === kind);
 
 /* A chain of a manifest as a plan without code; sizes: of its textures. */
-export function planOf(manifest, chain, sizes = chain.textures.map(({ size }) => size)) {
-    const formatOf = texture => (texture < 0 ? 'rgba16float'        /* a picture of yours */
+export function planOf(manifest, chain, sizes = chain.textures.map(({ scale }) => scale)) {
+    const formatOf = texture => (texture < 0 ? 'rgba16float'        /* your picture */
         : manifest.formats[chain.textures[texture].format].webgpu);
     return {
         name: chain.name,
-        textures: chain.textures.map(({ slices, kept, result }, i) => ({
-            format: formatOf(i), size: sizes[i], slices, kept, result })),
+        textures: chain.textures.map(({ layers, kept, result }, i) => ({
+            format: formatOf(i), size: sizes[i], layers, kept, result })),
         steps: chain.steps.map(({ files, rows, blend, clear, vertices, instances, group, inputs, outputs }) => ({
             files, rows: rows.map(i => manifest.rows[i]), blend: blend?.webgpu, clear, vertices, instances, group,
             inputs, outputs: outputs.map(output => ({ ...output, format: formatOf(output.texture) })) }))
@@ -40,7 +40,7 @@ export function sized({ name, textures, steps }, width, height) {
     }) };
 }
 
-/* What a pipeline needs besides its layout. stride: of the buffer of attributes, if there are some. */
+/* The descriptor of a pipeline without its layout. stride: of the buffer of attributes, if there are any. */
 export function pipelineOf({ rows, blend, group, outputs }, modules, stride) {
     const counts = of(rows, 'CONSTANT').filter(row => row.offset);
     const constants = Object.fromEntries(counts.map(row => [row.offset, row.slot]));
@@ -70,10 +70,10 @@ function layoutOf(device, { rows, group, inputs, outputs }) {
 /* A chain with its pipelines and textures. */
 export class Passes {
     #device; #draws = []; #results; #usage;
-    textures = [];                                  /* by number; of a kept one two: [0] is drawn into */
-    ready;                                          /* a promise: its pipelines are there */
+    textures = [];                                  /* by number; a kept one has two, [0] is drawn into */
+    ready;                                          /* a promise, resolved when its pipelines exist */
 
-    /* modulesOf: a step's { vert, frag } or { comp }, or a promise of them; default: of the plan's code */
+    /* modulesOf: gives a step's { vert, frag } or { comp }, or a promise of them; default: from the plan's code */
     constructor(device, { steps, textures }, modulesOf = null, stride = undefined) {
         const moduleOf = code => device.createShaderModule({ code });
         this.#device = device;
@@ -90,19 +90,19 @@ export class Passes {
         })).then(draws => { this.#draws = draws; });
     }
 
-    /* New textures, of a plan of the same chain. */
+    /* Replaces the textures by those of a plan of the same chain. */
     resize(textures) {
         this.free();
         this.#results = textures.map(({ result }) => result);
-        this.textures = textures.map(({ format, size, slices, kept }) => Array.from({ length: kept ? 2 : 1 },
-            () => this.#device.createTexture({ format, size: [...size, slices || 1], usage: this.#usage })));
+        this.textures = textures.map(({ format, size, layers, kept }) => Array.from({ length: kept ? 2 : 1 },
+            () => this.#device.createTexture({ format, size: [...size, layers || 1], usage: this.#usage })));
     }
 
     /* LIGHT or BOUNCE of the last frame; undefined: the chain has none. */
     result(name) { return this.textures[this.#results.indexOf(name)]?.[0]; }
 
-    /* block(number of the step): its uniform buffer; yours(number, input): a texture of yours, null: one of the
-       chain's; instances(number) and surfels where a step draws those; stamps(number): where its times are written. */
+    /* block(number of the step): its uniform buffer; yours(number, input): your texture, null: one of the chain's;
+       instances(number) and surfels for a step that draws those; stamps(number): where its times are written. */
     draw(encoder, { block, yours, instances, surfels, stamps }) {
         this.#draws.forEach(({ step, layout, pipeline }, number) => {
             const entries = [{ binding: 0, resource: { buffer: block(number) } }];
@@ -111,8 +111,8 @@ export class Passes {
                 const read = yours(number, input) ?? this.textures[texture].at(last ? -1 : 0);
                 entries.push({ binding, resource: read.createView({ dimension }) });
             }
-            const views = step.outputs.map(({ texture, slice }) => this.textures[texture][0].createView({
-                dimension: '2d', baseArrayLayer: slice, arrayLayerCount: 1 }));
+            const views = step.outputs.map(({ texture, layer }) => this.textures[texture][0].createView({
+                dimension: '2d', baseArrayLayer: layer, arrayLayerCount: 1 }));
             if (step.group) step.outputs.forEach(({ binding }, k) => entries.push({ binding, resource: views[k] }));
             const timestampWrites = stamps?.(number);
             const pass = step.group ? encoder.beginComputePass({ timestampWrites }) : encoder.beginRenderPass({
@@ -133,7 +133,7 @@ export class Passes {
         });
     }
 
-    /* After a frame whose history is kept. */
+    /* Call it after a frame whose history is kept. */
     turn() { this.textures.forEach(pair => pair.reverse()); }
     free() { this.textures.flat().forEach(texture => texture.destroy()); }
 }

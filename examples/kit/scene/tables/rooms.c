@@ -41,7 +41,7 @@ const kit_row kit_rows_rooms[] = {
   "carton|carton|crate|books_flat|small|litter|litter|bowl|sack", "", "" },
 { "someone", PUT, "-W*.7~W*.7 0 -D*.7~D*.7 0~360 0 1 clear .35", "people", "", ".2" },
 
-/* One wall, at z = -e, l half as long, seen from within; what stands against it. */
+/* One wall at z = -e, of half length l, seen from inside, and the things beside it. */
 { "side", THING, "", "l=2 e=2 hole=0|1|1|2 a=-l*.4~l*.4 b=.5~1 low=.7~1 high=H-.5~H-.25", "", "" },
 { "wall", BOX, "0 0 -e", "-l-.2 0 -.15 l+.2 H 0 0", "wall", "hole=0" },
 { "left", BOX, "0 0 -e", "-l-.2 0 -.15 a-b H 0 0", "wall", "hole>0" },

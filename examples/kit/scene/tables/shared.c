@@ -1,4 +1,4 @@
-/* shared.c - rows: things that stand in scenes of several kinds. The columns are explained in kit_seed.h. */
+/* shared.c - rows: things of several kinds of scenes. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */

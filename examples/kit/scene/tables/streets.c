@@ -2,8 +2,8 @@
 #include "kit/kit_seed.h"
 
 /* clang-format off */
-/* road: half of the road; half: from its middle to the houses; R: half of its length; kind: a street, an alley, a
-   square */
+/* road: half of the road's width; half: from its middle to the houses; R: half of its length; kind: a street, an alley,
+   a square */
 const kit_row kit_rows_streets[] = {
 { "streets", THING, "",
   "kind=0|0|0|1|2 road=(kind=0)*(2.8~5) half=(kind=0)*(road+1.8~road+3.5)+(kind=1)*(1.3~2.6)+(kind=2)*(9~15) "

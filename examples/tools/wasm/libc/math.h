@@ -1,5 +1,5 @@
-/* math.h - the maths that the headers ask for: instructions of wasm where there is one, else JavaScript's Math, which
-   the page gives as it is: WebAssembly.instantiate(bytes, { Math }). */
+/* math.h - the maths functions that the headers need: by wasm's instructions, else by JavaScript's Math, which the page
+   imports: WebAssembly.instantiate(bytes, { Math }). */
 #ifndef SSGI_WASM_MATH_H
 #define SSGI_WASM_MATH_H
 
@@ -26,7 +26,7 @@ static inline float  fabsf(float x) { return __builtin_fabsf(x); }
 static inline double round(double x) { return x < 0.0 ? -__builtin_floor(0.5 - x) : __builtin_floor(x + 0.5); }
 static inline double exp2(double x) { return pow(2.0, x); }
 static inline double ldexp(double x, int n) { return x * pow(2.0, n); }
-/* of quotients below 2^53 only: what is left of an angle */
+/* only for quotients below 2^53: the headers reduce angles */
 static inline double fmod(double x, double y) { return x - y * __builtin_trunc(x / y); }
 static inline float  sinf(float x) { return (float)sin((double)x); }
 static inline float  cosf(float x) { return (float)cos((double)x); }

@@ -1,5 +1,5 @@
-/* string.c - libc/string.h, to be included behind all that calls it; the Makefile's -fno-builtin keeps these loops from
-   becoming calls to themselves. */
+/* string.c - implements libc/string.h; include it after all code that calls it. The Makefile's -fno-builtin keeps these
+   loops from becoming calls of themselves. */
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>

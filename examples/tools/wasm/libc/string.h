@@ -1,4 +1,4 @@
-/* string.h - what the headers ask of a C library, for a machine without one: string.c defines it. */
+/* string.h - the functions of a C library that the headers need, on a machine without one: string.c defines them. */
 #ifndef SSGI_WASM_STRING_H
 #define SSGI_WASM_STRING_H
 #include <stddef.h>
