@@ -155,6 +155,80 @@ static void manifest(void)
     works("python3 manifest.py");
 }
 
+/* A thousand cameras: projection, width, height, SSGI_CLIP_ZERO, _ROWS_DOWN, radius, then the frame of it. */
+static void write_cameras(FILE *f)
+{
+    for (int made = 0; made < 1000;) {
+        const int flat = (int)t_below(2), zero = (int)t_below(2), reversed = zero && t_below(2), left = (int)t_below(2),
+                  size[4] = { 1 + (int)t_below(4096), 1 + (int)t_below(4096), zero, (int)t_below(2) };
+        const double first = exp((double)t_uniform(-3, 3)), nearest = first - (flat && t_below(2) ? 20 : 0),
+                     farthest = nearest + first * exp((double)t_uniform(1, 8)),
+                     at_near = reversed ? 1 : zero ? 0 : -1, at_far = reversed ? 0 : 1,
+                     a = flat ? nearest : 1 / nearest, b = flat ? farthest : 1 / farthest,
+                     slope = (at_far - at_near) / (b - a);
+        const float radius = expf(t_uniform(-4, 4));
+        float m[16] = { t_uniform(0.3f, 3), 0, 0, 0, 0, t_uniform(-3, -0.3f) };
+        m[flat ? 12 : 8] = t_uniform(-0.3f, 0.3f);
+        m[flat ? 13 : 9] = t_uniform(-0.3f, 0.3f);
+        m[10] = (float)(flat ? -slope : -(at_near - slope * a));
+        m[14] = (float)(flat ? at_near - slope * a : slope);
+        m[flat ? 15 : 11] = flat ? 1.0f : -1.0f;
+        if (!t_below(4)) m[2] = t_uniform(-0.02f, 0.02f) * m[10];
+        for (int i = 8; left && i < 12; ++i) m[i] = -m[i];
+        ssgi_view view;
+        ssgi_gl_frame frame;
+        if (ssgi_view_from_projection(&view, m, size[2] + SSGI_CLIP_ROWS_DOWN * size[3], size[0], size[1], NULL)
+            != SSGI_OK)
+            continue;
+        ++made;
+        CHECK(ssgi_gl_frame_init(&frame, &view, radius, NULL) == SSGI_OK && fwrite(m, sizeof m, 1, f)
+              && fwrite(size, sizeof size, 1, f) && fwrite(&radius, sizeof radius, 1, f)
+              && fwrite(&frame, sizeof frame, 1, f), "a camera cannot be written");
+    }
+}
+
+/* A program that knows the manifest alone makes the frames of ssgi_gl_frame_init. */
+static void manifest_of_cameras(void)
+{
+    static const char *const check =
+        "import json, struct\n"
+        "m = json.load(open('cameras/manifest.json'))\n"
+        "data, block, at, worst, kinds = open('cameras.bin', 'rb').read(), m['frame']['size'], 0, 0, set()\n"
+        "bits = lambda x: struct.unpack('<i', struct.pack('<f', x))[0]\n"
+        "rounded = lambda x: struct.unpack('<f', struct.pack('<f', x))[0]\n"
+        "place = lambda x: bits(x) if bits(x) >= 0 else -(bits(x) & 0x7fffffff)\n"
+        "while at < len(data):\n"
+        "    projection, (width, height, zero, down, radius) = (struct.unpack_from(f, data, at + to)\n"
+        "                                                       for f, to in (('<16f', 0), ('<4if', 64)))\n"
+        "    v = dict(m=projection, width=width, height=height, zero=zero, down=down, abs=abs, min=min, max=max)\n"
+        "    kind = 'perspective' if projection[11] else 'orthographic'\n"
+        "    for x in m['values']:\n"
+        "        value = eval(x[kind], v)\n"
+        "        v[x['name']] = rounded(value) if x['rounded'] else value\n"
+        "    kinds.add((kind, bool(v['hand'] < 0), bool(v['clear']), bool(v['moved']), bool(v['skew'])))\n"
+        "    for x in m['frame']['members']:\n"
+        "        whole, given = x['type'].startswith('i'), x['default']\n"
+        "        times = radius if 'times' in x else 1\n"
+        "        is_ = [eval(e, v) for e in x['formula']] if given == 'view' else [\n"
+        "            times * y for y in (given if isinstance(given, list) else [given])]\n"
+        "        form = f\"<{x['bytes'] // 4}{'i' if whole else 'f'}\"\n"
+        "        wanted = struct.unpack_from(form, data, at + 84 + x['offset'])\n"
+        "        assert len(is_) == len(wanted) and (not whole or list(wanted) == is_), (x, is_, wanted)\n"
+        "        off = max(abs(place(y) - place(z)) for y, z in zip(is_, wanted)) if not whole else 0\n"
+        "        worst = max(worst, off)\n"
+        "        assert off <= 2, (x['name'], kind, projection, is_, wanted)\n"
+        "    at += 84 + block\n"
+        "assert at == len(data) == 1000 * (84 + block) and len(kinds) > 15, (at, kinds)\n"
+        "print(worst)\n";
+    if (!has("python3") || !works("$G --chain hsao --vulkan cameras")) return;
+    FILE *f = fopen(in_folder("cameras.bin"), "wb");
+    if (!CHECK(f, "cameras.bin cannot be written")) return;
+    write_cameras(f);
+    fclose(f);
+    write_text("cameras.py", check);
+    works("python3 cameras.py");
+}
+
 /* A step with a compute stage has no other; its group and its images are those of its text. */
 static void manifest_of_compute(void)
 {
@@ -1200,6 +1274,8 @@ void test_tools(void)
     RUN("without OSMesa the default context is EGL's, and draws the same", without_osmesa);
     RUN("the library of GLSL as files: a room each, of GLSL alone", rooms_as_files);
     RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);
+    RUN("the manifest's formulas make the frames of 1,000 cameras, within 2 units of the last place",
+        manifest_of_cameras);
     RUN("the manifest tells the group and the images of a compute stage", manifest_of_compute);
     RUN("a chain as one writes it is made in the languages named, or refused by its field", own_chain);
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);

@@ -302,17 +302,91 @@ static void put_default(FILE *f, const ssgi_gl_frame frame[3], const ssgi_gl_io 
     fprintf(f, "%s%s", bytes > 4 ? "]" : "", scaled ? ", \"times\": \"radius\"" : "");
 }
 
-/* Frames of a camera, of the same camera with twice the radius, and of another camera. */
+/* Frames of a camera, of the same camera with twice the radius, and of another camera with an oblique near plane. */
 static void frames_to_compare(ssgi_gl_frame frame[3])
 {
     for (int i = 0; i < 3; ++i) {
         const float wide = i < 2 ? 1.0f : 1.5f, zfar = 100, znear = i < 2 ? 0.25f : 0.5f;
-        const float projection[16] = { wide, 0, 0, 0, 0, wide, 0, 0, 0, 0, (zfar + znear) / (znear - zfar), -1, 0, 0,
+        const float projection[16] = { wide, 0, i < 2 ? 0 : 0.01f, 0, 0, wide, 0, 0, 0, 0,
+                                       (zfar + znear) / (znear - zfar), -1, 0, 0,
                                        2 * zfar * znear / (znear - zfar), 0 };
         ssgi_view view;
         memset(&frame[i], 0, sizeof frame[i]);
         ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 64 << (i / 2), 64 << (i / 2), NULL);
         ssgi_gl_frame_init(&frame[i], &view, i == 1 ? 2.0f : 1.0f, NULL);
+    }
+}
+
+/* ssgi_view_from_projection and ssgi_gl_frame_init as formulas, in order: the values that members are made of. Rounded
+   ones are 32-bit floats, all others doubles. orthographic NULL: as in perspective. */
+static const struct { const char *name, *perspective, *orthographic; int rounded; } values[] = {
+    { "scale", "2 - zero", NULL, 0 },
+    { "shift", "zero - 1", NULL, 0 },
+    { "turn", "1 - 2 * down", NULL, 0 },
+    { "w", "abs(m[11])", "m[15]", 0 },
+    { "m14", "m[14] / w", NULL, 0 },
+    { "hand", "-m[11] / w",
+      "1 - 2 * ((m14 - shift) / (m[10] / w) <= 0) * ((m14 - shift - scale) / (m[10] / w) <= 0)", 0 },
+    { "m10", "hand * m[10] / w", NULL, 0 },
+    { "gain_x", "m[0] / w", NULL, 0 },
+    { "gain_y", "turn * m[5] / w", NULL, 0 },
+    { "centre_x", "-hand * m[8] / w", "m[12] / w", 0 },
+    { "centre_y", "-turn * hand * m[9] / w", "turn * m[13] / w", 0 },
+    { "skew", "-m[2] / w * (1 + centre_x) / gain_x - m[6] / w * (1 + centre_y) / gain_y", NULL, 0 },
+    { "depth_0", "(shift + m10 - skew) / m14", "(m14 - shift + skew) / m10", 1 },
+    { "depth_1", "scale / m14", "-scale / m10", 1 },
+    { "clear", "depth_1 <= 0", "depth_1 > 0", 0 },
+    { "oblique_x", "-2 * m[2] / w / (width * gain_x * scale)", NULL, 1 },
+    { "oblique_y", "-2 * m[6] / w / (height * gain_y * scale)", NULL, 1 },
+    { "pixel_x", "2 / (width * gain_x)", NULL, 1 },
+    { "pixel_y", "2 / (height * gain_y)", NULL, 1 },
+    { "along_x", "depth_1 * oblique_x", NULL, 1 },
+    { "along_y", "depth_1 * oblique_y", NULL, 1 },
+    { "across", "along_x * width", NULL, 1 },
+    { "upward", "along_y * height", NULL, 1 },
+    { "near_0", "depth_0 + depth_1 * (1 - clear)", NULL, 1 },
+    { "near_1", "near_0 + max(across, 0)", "near_0 + min(across, 0)", 1 },
+    { "near_2", "near_1 + max(upward, 0)", "near_1 + min(upward, 0)", 1 },
+    { "near", "1 / near_2", "near_2", 1 },
+    { "footprint", "max(abs(pixel_x), abs(pixel_y))", NULL, 1 },
+    { "behind", "0",
+      "-depth_1 * (1 - clear) - min(depth_1 * oblique_x * width, 0) - min(depth_1 * oblique_y * height, 0)", 0 },
+    { "moved", "0", "1 - (near >= 0) * (near <= abs(depth_1))", 0 }
+};
+
+/* The members that follow the camera: a formula of these values for each component. */
+static const struct { const char *name, *component[4]; } formulas[] = {
+    { "project", { "gain_x * 0.5 * width", "gain_y * 0.5 * height", "(centre_x * 0.5 + 0.5) * width",
+                   "(centre_y * 0.5 + 0.5) * height" } },
+    { "unproject", { "pixel_x", "pixel_y", "-(1 + centre_x) / gain_x", "-(1 + centre_y) / gain_y" } },
+    { "decode", { "(1 - moved) * depth_0 + moved * (behind + footprint)", "depth_1", "clear",
+                  "moved * (near - footprint)" } },
+    { "size", { "width", "height" } },
+    { "last_size", { "width", "height" } },
+    { "near_depth", { "near" } },
+    { "oblique", { "oblique_x", "oblique_y" } }
+};
+
+static void put_values(FILE *f)
+{
+    fputs(",\n\"values\": [", f);
+    for (size_t i = 0; i < sizeof values / sizeof *values; ++i)
+        fprintf(f,
+                "%s\n{ \"name\": \"%s\", \"perspective\": \"%s\",\n  \"orthographic\": \"%s\", \"rounded\": %s }",
+                i ? "," : "", values[i].name, values[i].perspective,
+                values[i].orthographic ? values[i].orthographic : values[i].perspective,
+                values[i].rounded ? "true" : "false");
+    fputs("\n]", f);
+}
+
+static void put_formula(FILE *f, const char *member)
+{
+    for (size_t i = 0; i < sizeof formulas / sizeof *formulas; ++i) {
+        if (strcmp(formulas[i].name, member)) continue;
+        fputs(", \"formula\": [", f);
+        for (int k = 0; k < 4 && formulas[i].component[k]; ++k)
+            fprintf(f, "%s\"%s\"", k ? ", " : "", formulas[i].component[k]);
+        fputs("]", f);
     }
 }
 
@@ -329,6 +403,7 @@ static void put_block(FILE *f, const char *name, int block, const char *prefix, 
                    "\"units\": ", between, m->name + strlen(prefix), m->name, m->type, m->offset, bytes_of(m->type));
         kit_json_string(f, m->format);
         if (!block) put_default(f, compared, m);
+        if (!block) put_formula(f, m->name + strlen(prefix));
         fputs(" }", f);
         between = ",";
     }
@@ -344,8 +419,8 @@ static const char *const about[] = {
     "variants' key: what tells a variant from others: its fragment stage's file less the ending.",
     "chains: what methods draw, by the names of build/render, once a dialect. chain: the ssgi_gl_chain, what is not 0. "
     "textures: what its steps write, by their numbers: format: a number in formats; scale: FULL, HALF (rounded up), "
-    "LEVELS (ssgi_splat_size of what desc.gather.resolution leaves: width, height of a level times levels), TILES (an eighth, "
-    "rounded up), QUARTER (rounded up); layers: 0: 2D, else an array of so many layers; "
+    "LEVELS (ssgi_splat_size of what desc.gather.resolution leaves: width, height of a level times levels), TILES (an "
+    "eighth, rounded up), QUARTER (rounded up); layers: 0: 2D, else an array of so many layers; "
     "kept: 1: two of it, which change places each frame; clear them to 0 when they are made. steps, in order: files; "
     "rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: 0: as many as you have; blend: null: off, "
     "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
@@ -361,6 +436,11 @@ static const char *const about[] = {
     "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
     "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "
     "value, 0 the least. defaults: what the zeros of a desc of that pass mean (ssgi_gl_resolve).",
+    "frame's default: the value that ssgi_gl_frame_init sets, times the radius if times says so. A member whose "
+    "default is view has a formula for each component instead, of values and of these: m: the 16 floats of the projection "
+    "by columns; width, height: pixels; zero: 1 with SSGI_CLIP_ZERO, else 0; down: 1 with SSGI_CLIP_ROWS_DOWN, else 0. "
+    "Compute values in order, in doubles: perspective if m[11] is not 0, else orthographic; rounded ones to 32-bit "
+    "floats, and members, too. A comparison is 1 or 0, and abs, min and max are functions, as in Python.",
     "functions: files without a main, for shaders of your own (ssgi_gl_field, _read, _reflection, _sh).",
     "Python: the field pass is a keyword there: setattr(desc, 'pass', ..), getattr. cffi takes what gcc -E -P "
     "'-D__attribute__(x)=' makes of ssgi_gl.h.",
@@ -423,6 +503,7 @@ int manifest_write(const char *path, kit_error *err)
     put_about(f);
     put_fields(f);
     put_defaults(f);
+    put_values(f);
     put_block(f, "frame", 0, "u_ssgi_", sizeof(ssgi_gl_frame));
     put_block(f, "views", 1, "u_ssgi_view_", sizeof(ssgi_gl_views));
     put_table(f, "rows", &rows);
