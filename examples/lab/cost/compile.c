@@ -23,7 +23,7 @@ int spirv_read(spirv *s, const char *path, kit_error *err)
     static const struct { const char *ending; VkShaderStageFlagBits stage; } endings[] = {
         { ".vert.spv", VK_SHADER_STAGE_VERTEX_BIT }, { ".tesc.spv", VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT },
         { ".tese.spv", VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT }, { ".geom.spv", VK_SHADER_STAGE_GEOMETRY_BIT },
-        { ".frag.spv", VK_SHADER_STAGE_FRAGMENT_BIT }
+        { ".frag.spv", VK_SHADER_STAGE_FRAGMENT_BIT }, { ".comp.spv", VK_SHADER_STAGE_COMPUTE_BIT }
     };
     const size_t length = strlen(path);
     memset(s, 0, sizeof *s);
@@ -46,6 +46,7 @@ static glslang_stage_t glslang_stage_of(VkShaderStageFlagBits stage)
          : stage == VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT      ? GLSLANG_STAGE_TESSCONTROL
          : stage == VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT   ? GLSLANG_STAGE_TESSEVALUATION
          : stage == VK_SHADER_STAGE_GEOMETRY_BIT                  ? GLSLANG_STAGE_GEOMETRY
+         : stage == VK_SHADER_STAGE_COMPUTE_BIT                   ? GLSLANG_STAGE_COMPUTE
                                                                   : GLSLANG_STAGE_FRAGMENT;
 }
 
@@ -348,6 +349,13 @@ static VkPipelineLayout make_layout(const compiler *c, const needs *n, VkDescrip
 static VkResult make_pipeline(const compiler *c, VkPipeline *made, const needs *n, VkPipelineLayout layout,
                               const VkPipelineShaderStageCreateInfo *stage, uint32_t stages)
 {
+    const VkPipelineCreateFlags told = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR
+                                     | VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR;
+    if (stage[0].stage == VK_SHADER_STAGE_COMPUTE_BIT) {
+        const VkComputePipelineCreateInfo alone = { .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                                    .flags = told, .stage = stage[0], .layout = layout };
+        return vkCreateComputePipelines(c->device, VK_NULL_HANDLE, 1, &alone, NULL, made);
+    }
     VkPipelineColorBlendAttachmentState blend[8];
     int patches = 0;
     for (uint32_t i = 0; i < stages; ++i) patches |= stage[i].stage == VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT;
@@ -381,8 +389,7 @@ static VkResult make_pipeline(const compiler *c, VkPipeline *made, const needs *
                                                     .pColorAttachmentFormats = n->target };
     const VkGraphicsPipelineCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .pNext = &targets,
-        .flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR |
-                 VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR,
+        .flags = told,
         .stageCount = stages, .pStages = stage, .pVertexInputState = &input, .pInputAssemblyState = &assembly,
         .pTessellationState = &patch, .pViewportState = &view, .pRasterizationState = &raster,
         .pMultisampleState = &samples, .pColorBlendState = &colour, .pDynamicState = &dynamic, .layout = layout

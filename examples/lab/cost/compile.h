@@ -15,7 +15,7 @@ typedef struct compiler {
     int least_lanes;                                    /* lanes of the smallest wave */
 } compiler;
 
-enum { STAGES = 5 };            /* vertex, tessellation control and evaluation, geometry, fragment */
+enum { STAGES = 5 };            /* vertex, tessellation control and evaluation, geometry, fragment; or compute */
 
 /* The SPIR-V of one stage; count: in words of 32 bits. */
 typedef struct spirv { uint32_t *word; size_t count; VkShaderStageFlagBits stage; } spirv;

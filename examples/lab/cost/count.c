@@ -69,7 +69,8 @@ static class class_of(const char *name)
     static const struct { const char *name; class class; } begins[] = {
         { "v_rcp_", TRANSCENDENTAL }, { "v_rsq_", TRANSCENDENTAL }, { "v_sqrt_", TRANSCENDENTAL },
         { "v_sin_", TRANSCENDENTAL }, { "v_cos_", TRANSCENDENTAL }, { "v_exp_", TRANSCENDENTAL },
-        { "v_log_", TRANSCENDENTAL }, { "v_nop", SCALAR }, { "v_", VECTOR }, { "image_", FETCH },
+        { "v_log_", TRANSCENDENTAL }, { "v_nop", SCALAR }, { "v_", VECTOR }, { "image_store", EXPORT },
+        { "image_", FETCH },
         { "buffer_load", BUFFER }, { "tbuffer_load", BUFFER }, { "global_load", BUFFER }, { "flat_load", BUFFER },
         { "s_load", SCALAR_LOAD }, { "s_buffer_load", SCALAR_LOAD }, { "exp", EXPORT }, { "s_cbranch", BRANCH },
         { "s_branch", BRANCH }, { "s_endpgm", END }

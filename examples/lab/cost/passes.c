@@ -33,7 +33,7 @@ static int program_of_step(work *w, const ssgi_gl_step *s, kit_error *err)
 {
     static const VkShaderStageFlagBits kinds[SSGI_GL_STAGES] = {
         VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_FRAGMENT_BIT, VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT,
-        VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT, VK_SHADER_STAGE_GEOMETRY_BIT
+        VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT, VK_SHADER_STAGE_GEOMETRY_BIT, VK_SHADER_STAGE_COMPUTE_BIT
     };
     cost_program p = { .pass = ssgi_gl_pass_name(s->desc.pass), .desc = s->desc, .formats = s->outputs };
     for (int i = 0; i < s->outputs; ++i)
@@ -239,7 +239,7 @@ static int count_part(const work *w, const cost_program *p, compiled *to, const 
     counted c;
     if (count_instructions(&c, e->assembly, turns_of(p->pass), &bad))
         return kit_fail(err, "%s: not understood: %.80s", p->pass, bad);
-    if (!(e->stages & VK_SHADER_STAGE_FRAGMENT_BIT)) {
+    if (!(e->stages & (VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT))) {
         to->vertex += c.busy.vector;
         return 0;
     }

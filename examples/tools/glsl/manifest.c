@@ -437,8 +437,9 @@ static const char *const about[] = {
     "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "
     "value, 0 the least. defaults: what the zeros of a desc of that pass mean (ssgi_gl_resolve).",
     "frame's default: the value that ssgi_gl_frame_init sets, times the radius if times says so. A member whose "
-    "default is view has a formula for each component instead, of values and of these: m: the 16 floats of the projection "
-    "by columns; width, height: pixels; zero: 1 with SSGI_CLIP_ZERO, else 0; down: 1 with SSGI_CLIP_ROWS_DOWN, else 0. "
+    "default is view has a formula for each component instead, of values and of these: m: the 16 floats of the "
+    "projection by columns; width, height: pixels; zero: 1 with SSGI_CLIP_ZERO, else 0; down: 1 with "
+    "SSGI_CLIP_ROWS_DOWN, else 0. "
     "Compute values in order, in doubles: perspective if m[11] is not 0, else orthographic; rounded ones to 32-bit "
     "floats, and members, too. A comparison is 1 or 0, and abs, min and max are functions, as in Python.",
     "functions: files without a main, for shaders of your own (ssgi_gl_field, _read, _reflection, _sh).",
