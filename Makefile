@@ -312,6 +312,12 @@ npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
 	@packed=$$(npm pack ./build/npm --pack-destination build --silent) && echo "npm install $(CURDIR)/build/$$packed"
 
+# A release's files, into build/dist: archives of the headers and of shaders, the npm package, recipes, CHANGELOG.md and
+# SHA256SUMS. URL=https://..: from where the recipes will fetch them.
+DIST = build/dist
+dist: build/glsl-text
+	@MAKE='$(MAKE)' URL='$(URL)' sh examples/tools/packages/dist.sh $(DIST) $(VERSION)
+
 # The GLSL of ssgi_gl.h as files, a room each, to be read in an editor or compared with another revision's.
 glsl-out:
 	@test -n '$(DIR)' || { echo '$@: DIR=folder is missing' >&2; exit 2; }
@@ -382,7 +388,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out demo demo-test test test-all tree \
+.PHONY: page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
         cost-record cost-shares cost-plan glsl mutants failures deps unlisted shared format clean
 

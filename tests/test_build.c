@@ -295,7 +295,7 @@ static void documentation(void)
     if (has("node"))
         CHECK(!shell(text, sizeof text,
                      "for f in README.md examples/docs/INTEGRATE.md examples/tools/packages/npm.md; do "
-                     "rm -f code*.mjs && awk '/^```js/ { on = \"code\" ++n \".mjs\"; next } /^```/ { on = \"\" } "
+                     "rm -f code*.mjs && awk '/^```js$/ { on = \"code\" ++n \".mjs\"; next } /^```/ { on = \"\" } "
                      "on { print >on }' \"%s/$f\" && ls code*.mjs >js && "
                      "while read -r m; do node --check $m%s || exit 1; done <js || exit 1; done", t_root, ""),
               "JavaScript of a document cannot be read: %s", text);

@@ -344,6 +344,52 @@ static void packages(void)
                "test $(wc -c <out/used.js) -gt 10000");
 }
 
+/* make dist gives the same bytes each time, and what is in its archives serves CMake and Meson. */
+static void release(void)
+{
+    static const char *const program = "#define SSGI_IMPLEMENTATION\n#include <ssgi.h>\n"
+                                       "int main(void) { return ssgi_sh_cosine(0) < 0; }\n";
+    if (!works("export MAKEFLAGS= URL=file://$PWD/two METHODS=hsao-fast && make -s -C $T dist DIST=$PWD/one && sleep 1 "
+               "&& make -s -C $T dist DIST=$PWD/two && diff -r one two && cd two && sha256sum --quiet -c SHA256SUMS"))
+        return;
+    works("cd two && test $(wc -l <SHA256SUMS) -ge 6 && test \"$(sed -n 's/^## //p' CHANGELOG.md)\" = "
+          "\"$(sed -n 's/^   CHANGES in //p' $T/ssgi.h)\" && grep -q '^`_choice_at`, `_member_at`' CHANGELOG.md && "
+          "grep -qx 'SSGI_GL_HALF_NONE -> SSGI_GL_RESOLUTION_FULL' CHANGELOG.md && ! grep -r @ vcpkg conan");
+    works("mkdir here from && MAKEFLAGS= make -s -C $T install DESTDIR=$PWD/here PREFIX=/usr && "
+          "for of in two/ssgi-*.tar.gz; do tar -xzf $of -C from || exit 1; done && cd from/ssgi-shaders-0.5 && "
+          "grep -q '\"ssgi\": \"0.5\"' manifest.json && test $(ls *.vulkan.frag | wc -l) = 2");
+    if (has("glslangValidator") & has("spirv-cross"))
+        works("cd from/ssgi-shaders-0.5 && "
+              "for of in spv hlsl msl; do test $(ls *.frag.$of | wc -l) = 2 || exit 1; done");
+    run("mkdir -p fetch meson/subprojects");
+    write_text("fetch/app.c", program);
+    write_text("meson/app.c", program);
+    if (has("cmake")) {
+        write_text("fetch/CMakeLists.txt",
+                   "cmake_minimum_required(VERSION 3.18)\nproject(app C)\ninclude(FetchContent)\n"
+                   "FetchContent_Declare(ssgi ${FROM})\nFetchContent_MakeAvailable(ssgi)\n"
+                   "add_executable(app app.c)\ntarget_link_libraries(app ssgi::ssgi)\n");
+        works("sum=$(sed -n 's/  ssgi-0.*//p' two/SHA256SUMS) && for from in "
+              "\"URL;file://$PWD/two/ssgi-0.5.tar.gz;URL_HASH;SHA256=$sum\" "
+              "\"SOURCE_DIR;$T;SOURCE_SUBDIR;examples/tools/packages\"; do rm -rf by && "
+              "cmake -S fetch -B by \"-DFROM=$from\" -DCMAKE_C_COMPILER_WORKS=1 && cmake --build by && by/app || "
+              "exit 1; done");
+        works("cmake -S from/ssgi-0.5 -B alone && cmake --install alone --prefix alone/to && "
+              "diff -r alone/to here/usr");
+    }
+    if (has("meson") & has("ninja")) {
+        write_text("meson/meson.build", "project('app', 'c')\n"
+                                        "executable('app', 'app.c', dependencies: dependency('ssgi'))\n");
+        works("{ echo '[wrap-file]'; echo directory = ssgi-0.5; echo source_url = file://$PWD/two/ssgi-0.5.tar.gz; "
+              "echo source_filename = ssgi-0.5.tar.gz; "
+              "echo source_hash = $(sed -n 's/  ssgi-0.*//p' two/SHA256SUMS); echo '[provide]'; "
+              "echo dependency_names = ssgi; } >meson/subprojects/ssgi.wrap && "
+              "meson setup meson/by meson && ninja -C meson/by && meson/by/app");
+        works("meson setup --prefix $PWD/meson/to from/ssgi-0.5 meson/alone && meson install -C meson/alone && "
+              "diff -r meson/to here/usr");
+    }
+}
+
 /* Readers of C headers in other languages: constants have the fields' type, and a call works. */
 static void bindings(void)
 {
@@ -1172,6 +1218,7 @@ void test_tools(void)
     RUN("a chain as one writes it is made in the languages named, or refused by its field", own_chain);
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);
+    RUN("make dist gives the same bytes each time, and serves CMake and Meson", release);
     RUN("cffi and bindgen take the headers", bindings);
     RUN("C, C++, Python and JavaScript have the same methods", methods_anywhere);
     RUN("a saved frame is rendered by nothing but itself: the scene's picture; options override", frames_carry_cameras);
