@@ -229,8 +229,8 @@ cost cost-test cost-record cost-shares cost-plan cost-peers: deps
 	$(MAKE) -s --no-print-directory build/cost page-deps && build/cost $(if $(filter cost,$@),\
 	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& { $(FIGURES); }),--$(patsubst test,check,$(@:cost-%=%)))
 # The shaders of every pass, dialect and choice, as plain files; manifest.json lists the files that belong together.
-# make glsl WGSL=1 HLSL=1 MSL=1 SPV=1 also translates the vulkan shaders; each needs a tool, which is named if it is
-# missing.
+# make glsl WGSL=1 HLSL=1 MSL=1 SPV=1 also translates the vulkan shaders, in five minutes; each needs a tool, which is
+# named if it is missing. One method takes three seconds: build/glsl-text --chain hsao,balanced --hlsl DIR.
 TRANSLATED = $(if $(SPV),spv) $(if $(WGSL),wgsl) $(if $(HLSL),hlsl) $(if $(MSL),msl)
 glsl: build/glsl-text
 	build/glsl-text build/glsl
