@@ -297,16 +297,17 @@ build/wgsl/manifest.json: build/glsl-text examples/tools/glsl/translate.sh examp
 	  { echo 'npm: glslangValidator is missing (apt-get install glslang-tools)' >&2; exit 2; }
 	@rm -rf build/wgsl && build/glsl-text --chain all --wgsl build/wgsl || { rm -rf build/wgsl; exit 2; }
 
-# An npm package: ssgi.mjs with its types and ssgi.wasm; the chains in WebGL 2's GLSL and in WGSL, with manifests. It is
-# packed into a file, because npm may install a folder as a link, from which bundlers do not find three.
+# An npm package: ssgi.mjs with its types and ssgi.wasm, which makes all GLSL, and the methods' chains in WGSL. It is
+# packed into a file, because npm may install a folder as a link, from which bundlers do not find three. build/wgsl has
+# a second package, ssgi-wgsl: the WGSL of all named chains as files, with a manifest.
 npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@command -v npm >/dev/null || sh examples/kit/install.sh npm || \
 	  { echo 'npm: npm is missing (apt-get install npm)' >&2; exit 2; }
-	@rm -rf build/npm build/ssgi-*.tgz && mkdir -p build/npm/wgsl
-	@build/glsl-text --chain all --300es build/npm/glsl >/dev/null
-	@cp build/wgsl/*.wgsl build/wgsl/manifest.json build/npm/wgsl
-	@node examples/tools/packages/chains.mjs build/npm/wgsl build/npm/chains
+	@rm -rf build/npm build/ssgi-*.tgz build/wgsl/*.tgz && mkdir -p build/npm
+	@node examples/tools/packages/chains.mjs build/wgsl build/npm/chains
 	@cp build/wasm/ssgi.wasm examples/tools/wasm/*.mjs examples/tools/wasm/*.d.ts LICENSE build/npm
+	@cp LICENSE build/wgsl && sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/wgsl.json >build/wgsl/package.json
+	@npm pack ./build/wgsl --pack-destination build/wgsl --silent >/dev/null
 	@cp examples/tools/packages/npm.md build/npm/README.md
 	@{ build/glsl-text --types && cat examples/tools/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json

@@ -286,8 +286,8 @@ static void packages(void)
         "import { readFileSync as read } from 'node:fs';\n"
         "import { createRequire } from 'node:module';\n"
         "const require = createRequire(import.meta.url), ssgi = await load();\n"
-        "const gl = require('ssgi/manifest.json'), gpu = require('ssgi/wgsl/manifest.json');\n"
-        "const text = name => read(new URL(import.meta.resolve(`ssgi/${name}`)), 'utf8');\n"
+        "const gl = require('./glsl/manifest.json'), gpu = require('ssgi-wgsl/manifest.json');\n"
+        "const text = name => read(new URL(import.meta.resolve(name)), 'utf8');\n"
         "const check = (ok, what) => { if (!ok) throw new Error(`the package disagrees with itself: ${what}`); };\n"
         "check(ssgi.version === gl.ssgi && gl.chains.length > 30 && gpu.chains.length > 30, 'chains');\n"
         "for (const { name, chain, steps } of gl.chains) {\n"
@@ -296,12 +296,21 @@ static void packages(void)
         "    check(drawn.length === steps.length, name);\n"
         "    for (const [i, { files }] of steps.entries())\n"
         "        for (const stage in files)\n"
-        "            check(ssgi.shader(drawn[i].desc, stage) === text(`glsl/${files[stage]}`), files[stage]);\n"
+        "            check(ssgi.shader(drawn[i].desc, stage) === text(`./glsl/${files[stage]}`), files[stage]);\n"
         "}\n"
         "for (const { steps } of gpu.chains)\n"
         "    for (const { files } of steps)\n"
         "        for (const [stage, word] of [['vert', '@vertex'], ['frag', '@fragment']])\n"
-        "            check(text(`wgsl/${files[stage]}.wgsl`).includes(word), files[stage]);\n"
+        "            check(text(`ssgi-wgsl/${files[stage]}.wgsl`).includes(word), files[stage]);\n"
+        "for (const name of ['hsao', 's3ho', 'hsao-history']) {\n"
+        "    const { default: plan } = await import(`ssgi/chains/${name}`);\n"
+        "    const of = gpu.chains.find(chain => chain.name === name);\n"
+        "    for (const [i, { code, outputs }] of plan.steps.entries()) {\n"
+        "        for (const stage of ['vert', 'frag'])\n"
+        "            check(code[stage] === text(`ssgi-wgsl/${of.steps[i].files[stage]}.wgsl`), `${name} ${stage}`);\n"
+        "        check(outputs.every(({ layer }) => layer >= 0), `${name}: layers`);\n"
+        "    }\n"
+        "}\n"
         "const before = Reflect.ownKeys(globalThis).length;\n"
         "for (const name of ['three', 'webgl', 'webgpu', 'chains/hsao']) await import(`ssgi/${name}`);\n"
         "check(Reflect.ownKeys(globalThis).length === before, 'modules have side effects');\n";
@@ -324,6 +333,7 @@ static void packages(void)
               "cmake --build app/within && app/within/app");
     }
     works("MAKEFLAGS= make -s -C $T uninstall DESTDIR=$PWD/to PREFIX=/usr && test -z \"$(find to -type f)\"");
+    int packed, unpacked;
     const int translates = !run("test -e $T/build/tint/twgsl.wasm") && has("glslangValidator");
     if (!translates) t_note("package not tried, without tint: make npm brings it");
     if (!(has("clang") & has("wasm-ld") & has("node") & has("npm") & translates)) return;
@@ -334,9 +344,14 @@ static void packages(void)
     write_text("page/three/package.json", "{ \"name\": \"three\", \"version\": \"0.187.0\", \"type\": \"module\", "
                "\"exports\": \"./three.js\" }");
     write_text("page/three/three.js", "export class Matrix4 { set() { return this; } }\n");
-    works("MAKEFLAGS= make -s -C $T npm && cd page && for of in $T/build/ssgi-*.tgz ./three; do npm install --offline "
+    works("MAKEFLAGS= make -s -C $T npm && cd page && $T/build/glsl-text --chain all --300es glsl && "
+          "for of in $T/build/ssgi-*.tgz $T/build/wgsl/ssgi-*.tgz ./three; do npm install --offline "
           "--no-audit --no-fund --silent \"$of\" || exit 1; done && test -d node_modules/ssgi && "
           "! test -L node_modules/ssgi && node npm.mjs");
+    if (CHECK(!run("cd $T/build && printf '%d kB packed, %d unpacked' $(($(wc -c <ssgi-*.tgz) / 1000)) $(($(tar -xOzf "
+                   "ssgi-*.tgz | wc -c) / 1000))") && sscanf(said, "%d kB packed, %d", &packed, &unpacked) == 2
+                  && packed <= 330 && unpacked <= 1400, "the npm package has %s", said))
+        t_note("the npm package has %s", said);
     works("cd $T/build && grep -q \"npm install PATH/TO/build/$(echo ssgi-*.tgz)\" ../README.md");
     if (run("test -x $T/build/web-deps/node_modules/.bin/esbuild")) t_note("esbuild is not here: no bundle tried");
     else works("cd page && $T/build/web-deps/node_modules/.bin/esbuild --bundle --format=esm --log-level=error "

@@ -4,7 +4,7 @@
 #   ssgi-VERSION.tar.gz            the headers, with files for CMake, Meson and pkg-config
 #   ssgi-shaders-VERSION.tar.gz    the shaders of ten methods in GLSL, GLSL ES, Vulkan's GLSL, SPIR-V, WGSL, HLSL and
 #                                  MSL, with manifest.json, which says how they are drawn
-#   ssgi-npm-VERSION.tgz           the package of make npm
+#   ssgi-npm-VERSION.tgz, ssgi-wgsl-npm-VERSION.tgz     the packages of make npm
 #   vcpkg/, conan/                 a port and a recipe, which fetch the first archive from URL
 #   CHANGELOG.md, SHA256SUMS
 #
@@ -55,7 +55,8 @@ done
 cp LICENSE "$work/$shaders"
 pack "$shaders"
 
-if ${MAKE:-make} -s --no-print-directory npm >"$work/why" 2>&1; then cp build/ssgi-*.tgz "$to/ssgi-npm-$version.tgz"
-else left_out 'the npm package'; fi
+if ${MAKE:-make} -s --no-print-directory npm >"$work/why" 2>&1; then
+    cp build/ssgi-*.tgz "$to/ssgi-npm-$version.tgz" && cp build/wgsl/ssgi-*.tgz "$to/ssgi-wgsl-npm-$version.tgz"
+else left_out 'the npm packages'; fi
 (cd "$to" && find . -type f ! -name SHA256SUMS | sed 's|^\./||' | LC_ALL=C sort | xargs sha256sum >"$work/sums" &&
     mv "$work/sums" SHA256SUMS && wc -c $(cut -c67- SHA256SUMS) | sed '$d')
