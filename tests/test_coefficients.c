@@ -381,7 +381,7 @@ static void filtered_sets_are_left(void)
                          && !strcmp(in->name + strlen("t_ssgi_last_"), step[m].output[o].name + strlen("o_ssgi_"))
                          && in->format == step[m].output[o].format;
         }
-    CHECK(read == 6, "%d of 6 sets' textures are what the filter wrote", read);
+    CHECK(read == 6, "%d of 6 sets' textures have the values that the filter wrote", read);
 }
 
 /* ---- light ------------------------------------------------------------------------------------------------------- */
@@ -511,7 +511,7 @@ static void open_is_exact(void)
         strike(&s);
     }
     SHOW(worst[0] < 0.004 && worst[1] < 1e-4,
-         "suns, through a map of 32 x 32, are off by %.1e of what they send, lamps by %.1e", worst[0], worst[1]);
+         "suns, through a map of 32 x 32, are off by %.1e of the light sent, lamps by %.1e", worst[0], worst[1]);
 }
 
 /* ---- two pictures that are one ----------------------------------------------------------------------------------- */

@@ -462,7 +462,7 @@ static void rooms_are_seen(void)
             }
         SHOW(n >= 15 && off / n <= row[i].off && bias / n <= 0.003 && -bias / n <= row[i].darker,
              "%s, %s %s: at %d pixels off by %.4f, bias %+.4f", row[i].name, row[i].method, set, n, off / n, bias / n);
-        CHECK(!row[i].sends || whole < 1e-5, "what walls send is not what they keep out: %.1e apart", whole);
+        CHECK(!row[i].sends || whole < 1e-5, "walls send other light than they keep out: %.1e apart", whole);
         kit_run_close(&run);
         kit_gbuffer_free(&g);
         kit_image_free(&frame);

@@ -862,7 +862,7 @@ static void frames_of_blender(void)
         write_image(k ? "sky1.exr" : "sky0.exr", &own, NULL);
     }
     draw("--gbuffer sky0.exr --fovy 70 --radius 0.3", "sky.exr");
-    CHECK(errs_by("--gbuffer sky1.exr --fovy 70 --radius 0.3", "sky.exr") < 1e-6, "what is FLT_MAX away is not sky");
+    CHECK(errs_by("--gbuffer sky1.exr --fovy 70 --radius 0.3", "sky.exr") < 1e-6, "pixels at FLT_MAX are not sky");
     snprintf(path, sizeof path, "%s/o.exr", folder);
     make_part(path);
     draw("--gbuffer o.exr --set normal=depth", "part.exr");
