@@ -535,10 +535,10 @@ static int ridge(kit_gbuffer *g)
 }
 
 /* Pairs of pictures that must be equal, or must not: their difference, over the first one's mean. A sun whose series is
-   below 0 behind it. Vectors that are filtered and then lit, or lit and then filtered, without restoring; in other
-   storage, so with other rounding. With one band most of a lamp is residual, which a gather of light and bounce
-   together must not add to the bounce. The bounce is filtered as it is, whatever the filter restores of open light.
-   Default filters keep a ridge sharp, as at no radius; a filter of light without restoring does not. */
+   below 0 behind it. Vectors filtered and then lit, or lit and then filtered, without restoring; and in other storage,
+   so with other rounding. With one band most of a lamp is residual, and a gather of light and bounce together must not
+   add that to the bounce. What the filter restores of open light must not change the bounce. Default filters keep a
+   ridge sharp, as no filter does; a filter of light without restoring does not. */
 static void compare(int ridges)
 {
     enum { UNDER_SKY, UNDER_SUN, BY_LAMP, AMONG_COLUMNS, RIDGE, LIT_RIDGE, STAGES };

@@ -798,7 +798,7 @@ static void make_part(const char *path)
 
 /* The saved frame as Blender would write it: two view layers, 1e10 without a surface, normals of the world. Its picture
    equals the frame's. Layers and channels are chosen by name. Another camera would turn the normals, so it is refused
-   unless they are not read. The horizontal angle is told. */
+   unless they are not read. A note appears if --fovy has the horizontal angle. */
 static void frames_of_blender(void)
 {
     static const char *const theirs[7] = { "Depth.Z",   "Normal.X",  "Normal.Y", "Normal.Z",

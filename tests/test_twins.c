@@ -1815,8 +1815,8 @@ static void changes_are_nearby(void)
     }
 }
 
-/* The filter, if 1 to 9 of 3x3 texels show the surface: their mean; and for equal values a deviation of a tenth of it
-   times sqrt(few (few - 1)), few = 9 over their number. */
+/* The filter of pass history, where 1 to 9 of 3x3 texels show the surface. It takes the mean of these. If they are
+   equal, it expects a deviation of a tenth of the mean times sqrt(few (few - 1)), where few is 9 over their number. */
 static void history_spreads(void)
 {
     const ssgi_gl_desc d = facing_of("history", "");
