@@ -229,8 +229,8 @@ cost cost-test cost-record cost-shares cost-plan cost-peers: deps
 	$(MAKE) -s --no-print-directory build/cost page-deps && build/cost $(if $(filter cost,$@),\
 	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& { $(FIGURES); }),--$(patsubst test,check,$(@:cost-%=%)))
 # The shaders of every pass, dialect and choice, as plain files; manifest.json lists the files that belong together.
-# make glsl WGSL=1 HLSL=1 MSL=1 SPV=1 also translates the vulkan shaders; each needs a tool, which is named if it is
-# missing.
+# make glsl WGSL=1 HLSL=1 MSL=1 SPV=1 also translates the vulkan shaders, in five minutes; each needs a tool, which is
+# named if it is missing. One method takes three seconds: build/glsl-text --chain hsao,balanced --hlsl DIR.
 TRANSLATED = $(if $(SPV),spv) $(if $(WGSL),wgsl) $(if $(HLSL),hlsl) $(if $(MSL),msl)
 glsl: build/glsl-text
 	build/glsl-text build/glsl
@@ -297,20 +297,27 @@ build/wgsl/manifest.json: build/glsl-text examples/tools/glsl/translate.sh examp
 	  { echo 'npm: glslangValidator is missing (apt-get install glslang-tools)' >&2; exit 2; }
 	@rm -rf build/wgsl && build/glsl-text --chain all --wgsl build/wgsl || { rm -rf build/wgsl; exit 2; }
 
-# An npm package: ssgi.mjs with its types and ssgi.wasm; the chains in WebGL 2's GLSL and in WGSL, with manifests. It is
-# packed into a file, because npm may install a folder as a link, from which bundlers do not find three.
+# An npm package: ssgi.mjs with its types and ssgi.wasm, which makes all GLSL, and the methods' chains in WGSL. It is
+# packed into a file, because npm may install a folder as a link, from which bundlers do not find three. build/wgsl has
+# a second package, ssgi-wgsl: the WGSL of all named chains as files, with a manifest.
 npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
 	@command -v npm >/dev/null || sh examples/kit/install.sh npm || \
 	  { echo 'npm: npm is missing (apt-get install npm)' >&2; exit 2; }
-	@rm -rf build/npm build/ssgi-*.tgz && mkdir -p build/npm/wgsl
-	@build/glsl-text --chain all --300es build/npm/glsl >/dev/null
-	@cp build/wgsl/*.wgsl build/wgsl/manifest.json build/npm/wgsl
-	@node examples/tools/packages/chains.mjs build/npm/wgsl build/npm/chains
+	@rm -rf build/npm build/ssgi-*.tgz build/wgsl/*.tgz && mkdir -p build/npm
+	@node examples/tools/packages/chains.mjs build/wgsl build/npm/chains
 	@cp build/wasm/ssgi.wasm examples/tools/wasm/*.mjs examples/tools/wasm/*.d.ts LICENSE build/npm
+	@cp LICENSE build/wgsl && sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/wgsl.json >build/wgsl/package.json
+	@npm pack ./build/wgsl --pack-destination build/wgsl --silent >/dev/null
 	@cp examples/tools/packages/npm.md build/npm/README.md
 	@{ build/glsl-text --types && cat examples/tools/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
 	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
 	@packed=$$(npm pack ./build/npm --pack-destination build --silent) && echo "npm install $(CURDIR)/build/$$packed"
+
+# A release's files, into build/dist: archives of the headers and of shaders, the npm package, recipes, CHANGELOG.md and
+# SHA256SUMS. URL=https://..: from where the recipes will fetch them.
+DIST = build/dist
+dist: build/glsl-text
+	@MAKE='$(MAKE)' URL='$(URL)' sh examples/tools/packages/dist.sh $(DIST) $(VERSION)
 
 # The GLSL of ssgi_gl.h as files, a room each, to be read in an editor or compared with another revision's.
 glsl-out:
@@ -382,7 +389,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: page-deps model-deps all install uninstall wasm npm passes glsl-out demo demo-test test test-all tree \
+.PHONY: page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
         cost-record cost-shares cost-plan glsl mutants failures deps unlisted shared format clean
 
@@ -422,11 +429,11 @@ viewer-test: build/render build/rmse
 HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev \
                 libvtk9-dev
 NPM_HOSTS = $(NPM) build/hosts babylonjs@9.34.0 \
-            playcanvas@2.23.3 three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0
+            playcanvas@2.23.3 three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0 postprocessing@6.39.6
 hosts-test: build/render build/rmse web-deps
 	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done
 	@mkdir -p build/hosts
-	@test -d build/hosts/node_modules/playcanvas || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
+	@test -d build/hosts/node_modules/postprocessing || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
 	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm
 	@sh tests/hosts.sh $(ONLY)
 

@@ -6511,7 +6511,7 @@ static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d)
 /* Choices that do not go together: a condition as in #if lines, and the sentence of the error. */
 static const char *const ssgi_gl__refusals[][2] = {
     { "pass == HSAO && search == POINTS",
-      "desc.gather.search: hsao is by SSGI_GL_SEARCH_SLICES or _MARCH; it is ssao that samples points" },
+      "desc.gather.search: hsao is for SSGI_GL_SEARCH_SLICES or _MARCH; ssao samples points" },
     { "falloff == NONE && (pass == SSAO || ((pass == SSDO || pass == S3HO) && search == POINTS))",
       "desc.gather.falloff: must be SSGI_GL_FALLOFF_LINEAR or _SQUARE for points, which it distributes" },
     { "(pass == SSDO || pass == S3HO) && search == MARCH",

@@ -121,6 +121,14 @@ if wanted three && in_browser three vite; then
     done
 fi
 
+# A later effect draws the sky by depth, so that wrong depth is seen in the picture.
+if wanted postprocessing && in_browser postprocessing postprocessing; then
+    by_vite postprocessing white white,render sun,render sun,render,none
+    for of in white white,render; do near "postprocessing, $of" $work/postprocessing-$of.png $work/depth.png $most; done
+    check 'postprocessing: the sun is dimmed by SSGIRenderPass' \
+        "$(cmp -s $work/postprocessing-sun,render.png $work/postprocessing-sun,render,none.png && echo 1)"
+fi
+
 # Its rows run down, so the dither has another pattern: two such patterns differ by more than two renderers do.
 if wanted three-webgpu && in_browser three-webgpu vite; then
     by_vite three-webgpu white white,reversed white,history sun sun,none

@@ -381,7 +381,7 @@ static void filtered_sets_are_left(void)
                          && !strcmp(in->name + strlen("t_ssgi_last_"), step[m].output[o].name + strlen("o_ssgi_"))
                          && in->format == step[m].output[o].format;
         }
-    CHECK(read == 6, "%d of 6 sets' textures are what the filter wrote", read);
+    CHECK(read == 6, "%d of 6 sets' textures have the values that the filter wrote", read);
 }
 
 /* ---- light ------------------------------------------------------------------------------------------------------- */
@@ -511,7 +511,7 @@ static void open_is_exact(void)
         strike(&s);
     }
     SHOW(worst[0] < 0.004 && worst[1] < 1e-4,
-         "suns, through a map of 32 x 32, are off by %.1e of what they send, lamps by %.1e", worst[0], worst[1]);
+         "suns, through a map of 32 x 32, are off by %.1e of the light sent, lamps by %.1e", worst[0], worst[1]);
 }
 
 /* ---- two pictures that are one ----------------------------------------------------------------------------------- */
@@ -535,10 +535,10 @@ static int ridge(kit_gbuffer *g)
 }
 
 /* Pairs of pictures that must be equal, or must not: their difference, over the first one's mean. A sun whose series is
-   below 0 behind it. Vectors that are filtered and then lit, or lit and then filtered, without restoring; in other
-   storage, so with other rounding. With one band most of a lamp is residual, which a gather of light and bounce
-   together must not add to the bounce. The bounce is filtered as it is, whatever the filter restores of open light.
-   Default filters keep a ridge sharp, as at no radius; a filter of light without restoring does not. */
+   below 0 behind it. Vectors filtered and then lit, or lit and then filtered, without restoring; and in other storage,
+   so with other rounding. With one band most of a lamp is residual, and a gather of light and bounce together must not
+   add that to the bounce. What the filter restores of open light must not change the bounce. Default filters keep a
+   ridge sharp, as no filter does; a filter of light without restoring does not. */
 static void compare(int ridges)
 {
     enum { UNDER_SKY, UNDER_SUN, BY_LAMP, AMONG_COLUMNS, RIDGE, LIT_RIDGE, STAGES };

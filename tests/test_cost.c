@@ -181,7 +181,7 @@ static void shares_recorded(void)
         const double share = share_recorded(&shares, cases[i].body, &d, &tiles[cases[i].tile]);
         CHECK(share == cases[i].share, "case %zu: %g, not %g", i, share, cases[i].share);
     }
-    CHECK(isnan(share_recorded(&shares, SECOND, &(ssgi_gl_desc) { 0 }, &tiles[SQUARE])), "what was not recorded");
+    CHECK(isnan(share_recorded(&shares, SECOND, &(ssgi_gl_desc) { 0 }, &tiles[SQUARE])), "a share of no record");
     const char *was = csv_folder;
     csv_folder = "examples/lab/cost";
     const csv recorded = csv_read("shares.csv");

@@ -63,7 +63,7 @@ static void caps(void)
     const double no[] = { NAN, INFINITY, -INFINITY };
     for (int i = 0; i < 3; ++i)
         CHECK(ssgi_cap_occlusion(no[i], 1) == 0 && ssgi_cap_occlusion(PI, no[i]) == ssgi_cap_occlusion(PI, 0),
-              "what is not finite: %g, %g", ssgi_cap_occlusion(no[i], 1), ssgi_cap_occlusion(PI, no[i]));
+              "infinite or NaN values: %g, %g", ssgi_cap_occlusion(no[i], 1), ssgi_cap_occlusion(PI, no[i]));
     double before[81] = { 0 };
     for (int i = 0; i <= 160; ++i)
         for (int j = 0; j <= 80; ++j) {
@@ -454,7 +454,7 @@ static ssgi_field baked(int at, const ssgi_field_desc *desc, const kit_mesh *m)
                      == SSGI_OK,
           "%s", why);
     CHECK(work && work[size + 1] == 0x5a && work[0] == 0x5a && place[at][used / 4] == 0x5a5a5a5au,
-          "memory beyond what was asked for was written");
+          "memory behind the requested texels was written");
     free(work);
     return f;
 }
@@ -711,7 +711,7 @@ static void own_samples(void)
         rasters none = { .half = half, .broken = broken };
         d = (ssgi_field_desc){ .resolution = 2, .radii = 4, .rays = 16, .sample = rasterised, .user = &none };
         const ssgi_field f = baked(2, &d, box_mesh(half));
-        CHECK(seen(&f, point_at(NULL, 1.5, up), up) < 1e-4, "what is not finite occludes by %g",
+        CHECK(seen(&f, point_at(NULL, 1.5, up), up) < 1e-4, "an infinite value occludes by %g",
               seen(&f, point_at(NULL, 1.5, up), up));
     }
 }
@@ -906,7 +906,7 @@ static void bad_arguments(void)
               f, was);
     CHECK(!ssgi_field_bake_size(NULL, 1) && !ssgi_field_bake_size(&good, 0) && !ssgi_field_bake_size(&good, most)
               && !ssgi_field_size(1) && !ssgi_field_size(129) && ssgi_field_size(16) == 6 * 18 * 18 * 8,
-          "16 x 16 texels take %zu bytes, or what cannot be has a size", ssgi_field_size(16));
+          "16 x 16 texels take %zu bytes, or an impossible field has a size", ssgi_field_size(16));
     free(work);
 }
 
@@ -1208,10 +1208,10 @@ static void files(void)
     memset(place[1], 0x5a, sizeof place[1]);
     CHECK(ssgi_field_load(&g, place[1], bytes, file, size, &text) == SSGI_OK && g.texels == place[1] && same(&f, &g)
               && !memcmp(place[0], place[1], room) && place[1][room / 4] == 0x5a5a5a5au,
-          "loaded is not what was saved: %s", text);
+          "the loaded field differs from the saved one: %s", text);
     g.texels = f.texels;
     CHECK(!memcmp(&f, &g, offsetof(ssgi_field, max_error) + sizeof g.max_error),
-          "loaded numbers are not what was saved");
+          "the loaded numbers differ from the saved ones");
     g = was;
 #define REFUSED(name, result, ...) T_REFUSED(ssgi_field_load(__VA_ARGS__, &why), result, name, g, was)
     REFUSED("field:", SSGI_BAD_ARGUMENT, NULL, place[2], room, file, size);

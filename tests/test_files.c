@@ -649,7 +649,7 @@ static void places(void)
     CHECK(fabs(place[KIT_BORDER].area - border / PLACES) < 1e-9
           && fabs(place[KIT_BORDER].error - 4 * border / (4 * border + inside)) < 1e-6,
           "the border has %g of the pixels, %g of the error", place[KIT_BORDER].area, place[KIT_BORDER].error);
-    CHECK(!place[KIT_EDGE].score.pixels && !(place[KIT_EDGE].error > 0), "no edge errs by %g", place[KIT_EDGE].error);
+    CHECK(!place[KIT_EDGE].score.pixels && !(place[KIT_EDGE].error > 0), "no edge has error %g", place[KIT_EDGE].error);
     kit_image_free(&out);
     kit_image_free(&a);
     kit_image_free(&b);

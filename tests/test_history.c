@@ -117,7 +117,7 @@ static int frames_kept(float kept[W * H], kit_run *run)
     static float texel[4 * W * H];
     const kit_pass *p = pass_of(run, SSGI_GL_PASS_HISTORY);
     if (!CHECK(p->width * p->height <= W * H && !kit_texture_read(p->target[0], p->width, p->height, 4, texel),
-               "what history kept cannot be read"))
+               "the history's textures cannot be read"))
         return 0;
     for (int i = 0; i < p->width * p->height; ++i) kept[i] = texel[4 * i + 3];
     return 1;
@@ -509,7 +509,7 @@ static void last_frames(void)
         CHECK(ssgi_gl_frame_time(&frame, times[i][0], times[i][1], times[i][2], &why) == SSGI_BAD_ARGUMENT
                   && !strncmp(why, named[i], strlen(named[i])),
               "a bad time: %s", why);
-    CHECK(!memcmp(&frame, &was, sizeof frame), "what is refused changes the frame");
+    CHECK(!memcmp(&frame, &was, sizeof frame), "a refused value changes the frame");
     CHECK(ssgi_gl_frame_time(&frame, 1e-30f, 1e18f, 1e-30f, &why) == SSGI_OK && frame.pace > 0
         && frame.history_frames >= 1,
           "a frame that took for ever: pace %g", (double)frame.pace);

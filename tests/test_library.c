@@ -259,7 +259,7 @@ static void loops(void)
     for (int i = 0; i < CODES; ++i) {
         const char *const text = ssgi_gl__library[i].text, *const loop = endless(text);
         CHECK(!loop,
-              "%s: a loop might not end: clamp what it counts to, by a constant or the rows of its texture: %.*s",
+              "%s: a loop might not end: clamp its limit by a constant or the rows of its texture: %.*s",
               ssgi_gl__library[i].name, loop ? (int)strcspn(loop, "\n") : 0, loop);
         for (const char *s = text; (s = strstr(s, "for (")) != NULL; ++s) ++count;
     }
@@ -322,7 +322,7 @@ static void reflection(void)
                 again = ssgi_gl_resolve(&r);
                 CHECK(ssgi_gl_check(&r, NULL) == SSGI_OK && ssgi_gl_key(&r) == ssgi_gl_key(&d)
                           && !memcmp(&again, &r, sizeof r),
-                      "%s, %s, %s: what zeros mean gives another text", ssgi_gl_pass_name(pass), c->name, k->name);
+                      "%s, %s, %s: what zeros mean gives another shader", ssgi_gl_pass_name(pass), c->name, k->name);
                 ++resolved;
             }
     CHECK(resolved > 500, "%d descs", resolved);

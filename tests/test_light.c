@@ -517,7 +517,7 @@ static void point_light_in_a_box(void)
         kit_image_free(&out);
     }
     SHOW(splash < 4 && fabs(share[VIRTUAL] - 1) < 0.25 && share[BOTH] <= 1.1 && share[BOTH] > share[VIRTUAL],
-         "virtual lights bring %.3f of the bounce, with what is near %.3f, a bounce within the radius alone %.3f; "
+         "virtual lights bring %.3f of the bounce, with the near bounce %.3f, a bounce within the radius alone %.3f; "
          "brightest splash %.2f of the mean",
          share[VIRTUAL], share[BOTH], share[NEAR_ALONE], splash);
     kit_image_free(&truth);

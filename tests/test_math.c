@@ -815,7 +815,7 @@ static void environment_maps(void)
     }
     CHECK(!memcmp(sh[0], sh[1], sizeof sh[0]) && !memcmp(map[0], map[1], sizeof map[0])
               && !memcmp(suns[0], suns[1], sizeof suns[0]),
-          "what is not finite or negative does not count as 0");
+          "an infinite, NaN or negative value does not count as 0");
 }
 
 /* A sky of 1 with a disc of 101, which has a radius of 6 degrees and is 40 degrees up: inside of the cones, across

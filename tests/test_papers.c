@@ -100,7 +100,7 @@ static void claims_judged(void)
         for (int k = 0; k < 3; ++k) rows[k] = row_blank(OF_AO, "", "", "", "");
         c.row = 2;
         c.beside = isnan(cases[i].beside) ? ALONE : 0;
-        CHECK(!sheet_rule(&c, cases[i].rule) && sheet_holds(&t, &c, rows) == -1, "%s: what was not drawn is judged",
+        CHECK(!sheet_rule(&c, cases[i].rule) && sheet_holds(&t, &c, rows) == -1, "%s: a row not drawn is judged",
               cases[i].rule);
         rows[0].share = cases[i].beside;
         rows[2].share = cases[i].value;

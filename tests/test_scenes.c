@@ -231,8 +231,8 @@ static int disagreeing(kit_gbuffer *bent, kit_gbuffer *steps, const kit_image *f
 static void planes_stay_open(void)
 {
     enum { WIDTH = 49, HEIGHT = 27, PIXELS = WIDTH * HEIGHT, PLANES = 4 };
-    /* darkened: the most; truth: the largest error against the sky's integral, over the brightest plane's; below 0:
-       against the part that the bands of harmonics hold */
+    /* darkened: the most that is allowed; truth: the largest error against the sky's integral, over the brightest
+       plane's; below 0: against the part that the bands of harmonics hold */
     /* BENT: normals lean to the eye, as smooth normals of a coarse mesh may. STEPS: squares of 3x3 pixels share one
        depth, as splats do. */
     enum { PLAIN, BENT, STEPS, KINDS };
@@ -373,8 +373,8 @@ static double walled(const space *s, const double at[3], const double n[3], doub
 }
 
 /* A corner of floor and wall through a wide lens, far off its axis; a wall that the near plane cuts; a white room seen
-   through its open front; and the light of its walls in the dark, which is the light that they keep out. Beyond the
-   picture slices expect some occluders, so they are darker than the sum by up to the last column. */
+   through its open front; and the bounce of its walls in the dark, which equals the light that they block. Slices
+   expect some occluders beyond the picture, so pictures are darker than the exact sum, by the last column at most. */
 static void rooms_are_seen(void)
 {
     enum { HEIGHT = 48, WIDTH = 2 * HEIGHT, PIXELS = WIDTH * HEIGHT, PHASES = 2, BORDER = 3 };
@@ -462,7 +462,7 @@ static void rooms_are_seen(void)
             }
         SHOW(n >= 15 && off / n <= row[i].off && bias / n <= 0.003 && -bias / n <= row[i].darker,
              "%s, %s %s: at %d pixels off by %.4f, bias %+.4f", row[i].name, row[i].method, set, n, off / n, bias / n);
-        CHECK(!row[i].sends || whole < 1e-5, "what walls send is not what they keep out: %.1e apart", whole);
+        CHECK(!row[i].sends || whole < 1e-5, "walls send other light than they keep out: %.1e apart", whole);
         kit_run_close(&run);
         kit_gbuffer_free(&g);
         kit_image_free(&frame);

@@ -266,7 +266,7 @@ static void differences(void)
     CHECK(!compared_of(&c, &a, &b, both, 1, mask, &err)
               && fabs(c.across[0] - (15 * 324 + 8 * 1024 - 576) / 24.0 / 576) < 1e-9 && fabs(c.down[0] - 1) < 1e-9,
           "halves, a part of them: like itself %g across, %g down", c.across[0], c.down[0]);
-    CHECK(!compared_of(&c, &a, &b, both, 1, NULL, &err) && isnan(c.rmse), "what is no number: RMSE %g", c.rmse);
+    CHECK(!compared_of(&c, &a, &b, both, 1, NULL, &err) && isnan(c.rmse), "NaN pixels: RMSE %g", c.rmse);
     kit_image_free(&a);
     kit_image_free(&b);
 }

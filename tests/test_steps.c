@@ -736,7 +736,7 @@ static void widths(void)
             others += step[k].frame > 0;
             wide += step[k].frame > 0 && step[k].desc.gather.thickness > SSGI_GL_THICKNESS_SOLID;
         }
-        CHECK(others && !wide, "%d of %d steps of another camera read what the main one sees", wide, others);
+        CHECK(others && !wide, "%d of %d steps of another camera read the main one's thickness", wide, others);
     }
     CHECK(resolved.gather.thickness == SSGI_GL_THICKNESS_CONSTANT, "a text alone has thickness %d",
           resolved.gather.thickness);

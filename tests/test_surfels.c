@@ -337,7 +337,7 @@ static void reach_and_shells(void)
               "epsilon %g, brightest %g: reach %g", epsilon, bright, far);
     }
     CHECK(ssgi_surfel_reach(1, 0.01, 0.02) == 0 && ssgi_surfel_reach(1, 0.02, 0.02) == 0,
-          "what is too faint reaches somewhere");
+          "a surfel that is too faint has a reach");
     /* also at the borders of levels; nothing beyond most */
     for (int k = 0; k < 3000; ++k) {
         const double reach = 0.1 + t_within(0, 1), most = k % 3 ? 1e18 : 20 * t_within(0, 1),
@@ -565,7 +565,7 @@ static void divided(void)
           "the small triangle is another");
     d.max_distance = 1;
     CHECK(ssgi_surfels_divide(NULL, 0, &n, &d, &view, &source, NULL) == SSGI_OK && n < all && n > 10,
-          "%zu of %zu near what is seen", n, all);
+          "%zu of %zu within max_distance", n, all);
     T_REFUSED(ssgi_surfels_divide(NULL, 1, &again, &d, &view, &source, &why), SSGI_BAD_ARGUMENT, "out", again, all);
     t_note("a ground of 2 triangles becomes %zu, %d of them in the picture, %zu within 1 of it", all - 1, seen, n - 1);
     free(out);

@@ -346,7 +346,7 @@ static GLuint linked(const ssgi_gl_desc *d)
     glTransformFeedbackVaryings(program, keeps, kept, GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program);
     glGetProgramiv(program, GL_LINK_STATUS, &ok);
-    CHECK(ok, "%s: what it keeps does not link", describe(d));
+    CHECK(ok, "%s: the kept stages do not link", describe(d));
     return program;
 }
 

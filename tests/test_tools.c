@@ -315,7 +315,7 @@ static void wasm(void)
         "                equal(ssgi.shader(step.desc, stage), read(folder + '/' + file, 'utf8'), file);\n"
         "            deepEqual(step.inputs.map(k => [k.name, k.unit, k.set, k.binding, k.meaning ?? k.texture, "
         "k.last]),\n"
-        "                      said.inputs.map(k => [k.name, k.unit, k.set|0, k.binding, k.yours ?? k.texture, "
+        "                said.inputs.map(k => [k.name, k.unit, k.set|0, k.binding, k.yours ?? k.texture, "
         "k.last ?? 0]));\n"
         "            deepEqual(step.outputs.map(k => [k.texture, k.layer, k.format]), said.outputs.map(k =>\n"
         "                [k.texture, k.layer, formatOf(m.formats[c.textures[k.texture].format])]));\n"
@@ -323,7 +323,7 @@ static void wasm(void)
         "            if (said.group) deepEqual(step.outputs.map(k => [k.set, k.binding]),\n"
         "                                      said.outputs.map(k => [k.set, k.binding]));\n"
         "            deepEqual([step.scale, step.frame, step.vertices, step.instances, step.blend[0] !== 0],\n"
-        "                      [said.scale, said.frame, said.vertices, said.instances, said.blend !== null]);\n"
+        "                [said.scale, said.frame, said.vertices, said.instances, said.blend !== null]);\n"
         "        }\n"
         "    }\n"
         "    deepEqual(ssgi.members.length, m.frame.members.length + m.views.members.length);\n"
@@ -353,7 +353,7 @@ static void wasm(void)
         "const many = { search: 'POINTS', layers: 8, views: 4, view_layers: 8 };\n"
         "const all = ssgi.steps({ desc: { pass: 'SSDO', bounce: 'PATCH', environment: 'SH', ...many }, blur: 1, vpls: "
         "1,\n"
-        "                         lights: { pass: 'LIGHTS', ...many }, width: 64, height: 64 });\n"
+        "         lights: { pass: 'LIGHTS', ...many }, width: 64, height: 64 });\n"
         "equal(all.length, 124);\n"
         "equal(all.at(-1).outputs[0].result, 'BOUNCE');\n"
         "const computed = ssgi.chain('hsao,dialect=450,compute=ALL,group_width=16,group_height=4');\n"
@@ -391,8 +391,8 @@ static void packages(void)
         "import { readFileSync as read } from 'node:fs';\n"
         "import { createRequire } from 'node:module';\n"
         "const require = createRequire(import.meta.url), ssgi = await load();\n"
-        "const gl = require('ssgi/manifest.json'), gpu = require('ssgi/wgsl/manifest.json');\n"
-        "const text = name => read(new URL(import.meta.resolve(`ssgi/${name}`)), 'utf8');\n"
+        "const gl = require('./glsl/manifest.json'), gpu = require('ssgi-wgsl/manifest.json');\n"
+        "const text = name => read(new URL(import.meta.resolve(name)), 'utf8');\n"
         "const check = (ok, what) => { if (!ok) throw new Error(`the package disagrees with itself: ${what}`); };\n"
         "check(ssgi.version === gl.ssgi && gl.chains.length > 30 && gpu.chains.length > 30, 'chains');\n"
         "for (const { name, chain, steps } of gl.chains) {\n"
@@ -401,12 +401,21 @@ static void packages(void)
         "    check(drawn.length === steps.length, name);\n"
         "    for (const [i, { files }] of steps.entries())\n"
         "        for (const stage in files)\n"
-        "            check(ssgi.shader(drawn[i].desc, stage) === text(`glsl/${files[stage]}`), files[stage]);\n"
+        "            check(ssgi.shader(drawn[i].desc, stage) === text(`./glsl/${files[stage]}`), files[stage]);\n"
         "}\n"
         "for (const { steps } of gpu.chains)\n"
         "    for (const { files } of steps)\n"
         "        for (const [stage, word] of [['vert', '@vertex'], ['frag', '@fragment']])\n"
-        "            check(text(`wgsl/${files[stage]}.wgsl`).includes(word), files[stage]);\n"
+        "            check(text(`ssgi-wgsl/${files[stage]}.wgsl`).includes(word), files[stage]);\n"
+        "for (const name of ['hsao', 's3ho', 'hsao-history']) {\n"
+        "    const { default: plan } = await import(`ssgi/chains/${name}`);\n"
+        "    const of = gpu.chains.find(chain => chain.name === name);\n"
+        "    for (const [i, { code, outputs }] of plan.steps.entries()) {\n"
+        "        for (const stage of ['vert', 'frag'])\n"
+        "            check(code[stage] === text(`ssgi-wgsl/${of.steps[i].files[stage]}.wgsl`), `${name} ${stage}`);\n"
+        "        check(outputs.every(({ layer }) => layer >= 0), `${name}: layers`);\n"
+        "    }\n"
+        "}\n"
         "const before = Reflect.ownKeys(globalThis).length;\n"
         "for (const name of ['three', 'webgl', 'webgpu', 'chains/hsao']) await import(`ssgi/${name}`);\n"
         "check(Reflect.ownKeys(globalThis).length === before, 'modules have side effects');\n";
@@ -429,6 +438,7 @@ static void packages(void)
               "cmake --build app/within && app/within/app");
     }
     works("MAKEFLAGS= make -s -C $T uninstall DESTDIR=$PWD/to PREFIX=/usr && test -z \"$(find to -type f)\"");
+    int packed, unpacked;
     const int translates = !run("test -e $T/build/tint/twgsl.wasm") && has("glslangValidator");
     if (!translates) t_note("package not tried, without tint: make npm brings it");
     if (!(has("clang") & has("wasm-ld") & has("node") & has("npm") & translates)) return;
@@ -439,14 +449,65 @@ static void packages(void)
     write_text("page/three/package.json", "{ \"name\": \"three\", \"version\": \"0.187.0\", \"type\": \"module\", "
                "\"exports\": \"./three.js\" }");
     write_text("page/three/three.js", "export class Matrix4 { set() { return this; } }\n");
-    works("MAKEFLAGS= make -s -C $T npm && cd page && for of in $T/build/ssgi-*.tgz ./three; do npm install --offline "
+    works("MAKEFLAGS= make -s -C $T npm && cd page && $T/build/glsl-text --chain all --300es glsl && "
+          "for of in $T/build/ssgi-*.tgz $T/build/wgsl/ssgi-*.tgz ./three; do npm install --offline "
           "--no-audit --no-fund --silent \"$of\" || exit 1; done && test -d node_modules/ssgi && "
           "! test -L node_modules/ssgi && node npm.mjs");
+    if (CHECK(!run("cd $T/build && printf '%d kB packed, %d unpacked' $(($(wc -c <ssgi-*.tgz) / 1000)) $(($(tar -xOzf "
+                   "ssgi-*.tgz | wc -c) / 1000))") && sscanf(said, "%d kB packed, %d", &packed, &unpacked) == 2
+                  && packed <= 330 && unpacked <= 1400, "the npm package has %s", said))
+        t_note("the npm package has %s", said);
     works("cd $T/build && grep -q \"npm install PATH/TO/build/$(echo ssgi-*.tgz)\" ../README.md");
     if (run("test -x $T/build/web-deps/node_modules/.bin/esbuild")) t_note("esbuild is not here: no bundle tried");
     else works("cd page && $T/build/web-deps/node_modules/.bin/esbuild --bundle --format=esm --log-level=error "
                "--outdir=out used.mjs bare.mjs && test $(wc -c <out/bare.js) -lt 100 && "
                "test $(wc -c <out/used.js) -gt 10000");
+}
+
+/* make dist gives the same bytes each time, and what is in its archives serves CMake and Meson. */
+static void release(void)
+{
+    static const char *const program = "#define SSGI_IMPLEMENTATION\n#include <ssgi.h>\n"
+                                       "int main(void) { return ssgi_sh_cosine(0) < 0; }\n";
+    if (!works("export MAKEFLAGS= URL=file://$PWD/two METHODS=hsao-fast && make -s -C $T dist DIST=$PWD/one && sleep 1 "
+               "&& make -s -C $T dist DIST=$PWD/two && diff -r one two && cd two && sha256sum --quiet -c SHA256SUMS"))
+        return;
+    works("cd two && test $(wc -l <SHA256SUMS) -ge 6 && test \"$(sed -n 's/^## //p' CHANGELOG.md)\" = "
+          "\"$(sed -n 's/^   CHANGES in //p' $T/ssgi.h)\" && grep -q '^`_choice_at`, `_member_at`' CHANGELOG.md && "
+          "grep -qx 'SSGI_GL_HALF_NONE -> SSGI_GL_RESOLUTION_FULL' CHANGELOG.md && ! grep -r @ vcpkg conan");
+    works("mkdir here from && MAKEFLAGS= make -s -C $T install DESTDIR=$PWD/here PREFIX=/usr && "
+          "for of in two/ssgi-*.tar.gz; do tar -xzf $of -C from || exit 1; done && cd from/ssgi-shaders-0.5 && "
+          "grep -q '\"ssgi\": \"0.5\"' manifest.json && test $(ls *.vulkan.frag | wc -l) = 2");
+    if (has("glslangValidator") & has("spirv-cross"))
+        works("cd from/ssgi-shaders-0.5 && "
+              "for of in spv hlsl msl; do test $(ls *.frag.$of | wc -l) = 2 || exit 1; done");
+    run("mkdir -p fetch meson/subprojects");
+    write_text("fetch/app.c", program);
+    write_text("meson/app.c", program);
+    if (has("cmake")) {
+        write_text("fetch/CMakeLists.txt",
+                   "cmake_minimum_required(VERSION 3.18)\nproject(app C)\ninclude(FetchContent)\n"
+                   "FetchContent_Declare(ssgi ${FROM})\nFetchContent_MakeAvailable(ssgi)\n"
+                   "add_executable(app app.c)\ntarget_link_libraries(app ssgi::ssgi)\n");
+        works("sum=$(sed -n 's/  ssgi-0.*//p' two/SHA256SUMS) && for from in "
+              "\"URL;file://$PWD/two/ssgi-0.5.tar.gz;URL_HASH;SHA256=$sum\" "
+              "\"SOURCE_DIR;$T;SOURCE_SUBDIR;examples/tools/packages\"; do rm -rf by && "
+              "cmake -S fetch -B by \"-DFROM=$from\" -DCMAKE_C_COMPILER_WORKS=1 && cmake --build by && by/app || "
+              "exit 1; done");
+        works("cmake -S from/ssgi-0.5 -B alone && cmake --install alone --prefix alone/to && "
+              "diff -r alone/to here/usr");
+    }
+    if (has("meson") & has("ninja")) {
+        write_text("meson/meson.build", "project('app', 'c')\n"
+                                        "executable('app', 'app.c', dependencies: dependency('ssgi'))\n");
+        works("{ echo '[wrap-file]'; echo directory = ssgi-0.5; echo source_url = file://$PWD/two/ssgi-0.5.tar.gz; "
+              "echo source_filename = ssgi-0.5.tar.gz; "
+              "echo source_hash = $(sed -n 's/  ssgi-0.*//p' two/SHA256SUMS); echo '[provide]'; "
+              "echo dependency_names = ssgi; } >meson/subprojects/ssgi.wrap && "
+              "meson setup meson/by meson && ninja -C meson/by && meson/by/app");
+        works("meson setup --prefix $PWD/meson/to from/ssgi-0.5 meson/alone && meson install -C meson/alone && "
+              "diff -r meson/to here/usr");
+    }
 }
 
 /* Readers of C headers in other languages: constants have the fields' type, and a call works. */
@@ -842,7 +903,7 @@ static void make_part(const char *path)
 
 /* The saved frame as Blender would write it: two view layers, 1e10 without a surface, normals of the world. Its picture
    equals the frame's. Layers and channels are chosen by name. Another camera would turn the normals, so it is refused
-   unless they are not read. The horizontal angle is told. */
+   unless they are not read. A note appears if --fovy has the horizontal angle. */
 static void frames_of_blender(void)
 {
     static const char *const theirs[7] = { "Depth.Z",   "Normal.X",  "Normal.Y", "Normal.Z",
@@ -906,7 +967,7 @@ static void frames_of_blender(void)
         write_image(k ? "sky1.exr" : "sky0.exr", &own, NULL);
     }
     draw("--gbuffer sky0.exr --fovy 70 --radius 0.3", "sky.exr");
-    CHECK(errs_by("--gbuffer sky1.exr --fovy 70 --radius 0.3", "sky.exr") < 1e-6, "what is FLT_MAX away is not sky");
+    CHECK(errs_by("--gbuffer sky1.exr --fovy 70 --radius 0.3", "sky.exr") < 1e-6, "pixels at FLT_MAX are not sky");
     snprintf(path, sizeof path, "%s/o.exr", folder);
     make_part(path);
     draw("--gbuffer o.exr --set normal=depth", "part.exr");
@@ -1280,6 +1341,7 @@ void test_tools(void)
     RUN("a chain as one writes it is made in the languages named, or refused by its field", own_chain);
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);
+    RUN("make dist gives the same bytes each time, and serves CMake and Meson", release);
     RUN("cffi and bindgen take the headers", bindings);
     RUN("C, C++, Python and JavaScript have the same methods", methods_anywhere);
     RUN("a saved frame is rendered by nothing but itself: the scene's picture; options override", frames_carry_cameras);

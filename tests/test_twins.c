@@ -123,14 +123,14 @@ static void cameras(void)
         CHECK(fabs((double)v.decode[slot][0] - ((double)view.depth[0] - begins)) <= 2e-5,
               "the near plane is at %g", (double)v.decode[slot][0]);
         CHECK(light.patch == ssgi_pixel_footprint(&view, 1) && !memcmp(&light, &bare, offsetof(ssgi_gl_light, patch)),
-              "a light's patch, or what is not of its map");
+              "a light's patch, or members that the map must not set");
         memcpy(was.to[slot], v.to[slot], sizeof was.to[slot]);
         memcpy(was.from[slot], v.from[slot], sizeof was.from[slot]);
         memcpy(was.decode[slot], v.decode[slot], sizeof was.decode[slot]);
         memcpy(was.size[slot], v.size[slot], sizeof was.size[slot]);
         CHECK(!memcmp(&was, &v, sizeof v), "camera %d wrote to another's place", slot);
     }
-    t_note("of what rounding may lose, at most: %.2f there, %.2f back", worst[0], worst[1]);
+    t_note("share of the loss that rounding allows, at most: %.2f there, %.2f back", worst[0], worst[1]);
 }
 
 static void frame_light(void)
@@ -272,7 +272,7 @@ static int draw(float *result, GLuint program, int output, int components, int w
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteTextures(1, &target);
     glDeleteBuffers(2, block);
-    return CHECK(!read, "what is drawn cannot be read");
+    return CHECK(!read, "the drawn texels cannot be read");
 }
 
 /* Replaces the main function of a shader by statements that make o from in, and draws it to out. X(k): texel k of the
@@ -1815,8 +1815,8 @@ static void changes_are_nearby(void)
     }
 }
 
-/* The filter, if 1 to 9 of 3x3 texels show the surface: their mean; and for equal values a deviation of a tenth of it
-   times sqrt(few (few - 1)), few = 9 over their number. */
+/* The filter of pass history, where 1 to 9 of 3x3 texels show the surface. It takes the mean of these. If they are
+   equal, it expects a deviation of a tenth of the mean times sqrt(few (few - 1)), where few is 9 over their number. */
 static void history_spreads(void)
 {
     const ssgi_gl_desc d = facing_of("history", "");

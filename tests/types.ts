@@ -3,6 +3,8 @@ import * as THREE from 'three';
 import { load, type Desc, type Frame } from 'ssgi';
 import { Drawer } from 'ssgi/webgl';
 import { SSGIPass, ambientOf } from 'ssgi/three';
+import { SSGIPass as OfPmndrs, SSGIRenderPass } from 'ssgi/postprocessing';
+import { EffectComposer } from 'postprocessing';
 import hsao from 'ssgi/chains/hsao';
 import { occlusion } from 'ssgi/three/webgpu';
 import { Passes, sized } from 'ssgi/webgpu';
@@ -20,6 +22,14 @@ pass.adjust = frame => { frame.thicknes[0] = 0.2; };
 pass.set({ pass: 'HSOA' });
 /* @ts-expect-error */
 pass.set({ radus: 1 });
+
+const composer = new EffectComposer();
+for (const own of [new OfPmndrs(pass.scene, pass.camera, { radius: 2 }), new SSGIRenderPass(pass.scene, pass.camera)]) {
+    composer.addPass(own);
+    own.strength = 0.5;
+}
+/* @ts-expect-error */
+new OfPmndrs(pass.scene, pass.camera, { ambient: true });
 
 const picture = passOf(pass.scene, pass.camera), depth = picture.getTextureNode('depth');
 occlusion(hsao, { DEPTH: depth, NORMAL: new THREE.Texture() }, pass.camera, { radius: 2 }).getTextureNode();

@@ -228,7 +228,7 @@ static int read_other(trial *t, kit_error *err)
             for (int n = 0; n < MEASURED && !bad; ++n) bad = fscanf(f, ",%lf", &t->seed[k][MOST_TRIED + i][n]) != 1;
     }
     if (f) fclose(f);
-    return bad ? kit_fail(err, "--against %s: is not what try wrote for these seeds and settings", t->other) : 0;
+    return bad ? kit_fail(err, "--against %s: was not written by try for these seeds and settings", t->other) : 0;
 }
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */

@@ -178,8 +178,8 @@ static int show(const subject *u, place *p, double rmse, kit_error *err)
 
 static void print_head(void)
 {
-    printf("Means over %d scenes, and in brackets the worst with its seed. Like itself: what differs, 1 and 3 pixels "
-           "across,\n1 and 3 down, and from 8x8 pixels to the next.\n\n%-18s %-10s  %-23s  %-25s  %-34s  %s\n",
+    printf("Means over %d scenes, and in brackets the worst with its seed. Like itself: the difference, 1 and 3 "
+           "pixels\nacross, 1 and 3 down, and from 8x8 pixels to the next.\n\n%-18s %-10s  %-23s  %-25s  %-34s  %s\n",
            SCENES, "row", "quantity", "RMSE", "bias", "share of error", "like itself");
     fflush(stdout);
 }

@@ -34,12 +34,12 @@ static void about_times(char out[1200], const bench *b)
 static void about_bounds(char out[1600], const bench *b)
 {
     snprintf(out, 1600,
-             "What bounds these times, at %dx%d. In the same run full-screen passes copied %.3g GB/s (read and "
-             "written, RGBA16F). Traffic: the milliseconds that a frame's own would take at this rate, where every"
-             " pass reads each texel of its inputs once and writes its outputs once; where a cache holds one "
-             "pass's output for the next, a frame can take less. Near 100 %% of the time, traffic is what limits a"
-             " row; where it is far below, instructions do (make cost counts them), or waiting: latency, caches "
-             "that miss, small passes.",
+             "The limits of these times, at %dx%d. In the same run full-screen passes copied %.3g GB/s (read and "
+             "written, RGBA16F). Traffic: the milliseconds that a frame's own would take at this rate, if every"
+             " pass reads each texel of its inputs once and writes its outputs once. If a cache holds one "
+             "pass's output for the next, a frame can take less. Near 100 %% of the time, traffic limits a row. Far"
+             " below, instructions limit it (make cost counts them), or waiting: latency, caches that miss, small "
+             "passes.",
              b->size[0][0], b->size[0][1], b->best * 1e-9);
 }
 
@@ -103,7 +103,7 @@ int show_all(FILE *f, bench *b, const char *folder, kit_error *err)
     if (page_begin(&record, "bench", "full", b->command, kit_gl_name(), err) || page_open(&table, err)) return -1;
     about_times(times, b);
     about_bounds(bounds, b);
-    page_heading(record.file, 2, "Milliseconds of each method, and what bounds them");
+    page_heading(record.file, 2, "Milliseconds of each method, and their limits");
     page_paragraph(record.file, "%s", times);
     page_paragraph(record.file, "%s", bounds);
     csv_all(table.file, b);

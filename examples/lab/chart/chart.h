@@ -19,8 +19,8 @@ int seeds_ahead(const options *o, kit_error *err);
 int strip_demo(FILE *record, const options *o, kit_error *err);
 
 /* plan_chart measures the plan on views that it was not fitted on and writes plan.csv, plan-seeds.csv, plan-numbers.csv
-   and plan-summary.csv; plan_fit writes plan-fit.csv, which the fit reads. The two ahead measure, as seeds_ahead does,
-   the seeds that judge the plan and those that fit it. */
+   and plan-summary.csv; plan_fit writes plan-fit.csv, which the fit reads. As seeds_ahead does, plan_ahead measures the
+   seeds that judge the plan, and plan_fit_ahead those that fit it. */
 int  plan_ahead(const options *o, kit_error *err);
 int  plan_chart(FILE *record, const options *o, kit_error *err);
 void plan_text(FILE *f);

@@ -101,13 +101,13 @@ static const set demos[] = {
       "Bunny and four boxes under the sky and a sun, one bounce; all within the radius counts whole. Surfels of 0.03.",
       SEEN WHOLE_LIGHT, .rows = "deep-demo-light" },
     { "Deep screen space: one specular bounce",
-      "Open box under a point light, met by a lobe of exponent 8. Nothing here does that in screen space.",
+      "Open box under a point light, met by a lobe of exponent 8. No method in screen space does that here.",
       SEEN LOBE, .rows = "deep-demo-gloss" },
     { "Deep screen space: scattering under the surface",
-      "A bunny of marble, 4 cm high, lit from behind. Nothing here does that in screen space. Truth: the dipole over "
-      "samples on all of the mesh.",
+      "A bunny of marble, 4 cm high, lit from behind. No method in screen space here does that. Truth: the dipole "
+      "over samples on all of the mesh.",
       SEEN OF_MARBLE, .rows = "deep-demo-scatter" },
-    { "Deep screen space: what the picture does not show",
+    { "Deep screen space: objects that the picture does not show",
       "Beside the picture: along its left side stands a wall, off the picture.",
       SEEN { { "off-screen", "plane", 0, { 0.15f, 0.9f, 2 }, { 1.2f, 0.1f, 0 }, 30, 0.6f, NULL },
              { { -0.2f, 0.001f, -4, 0, 1, 1.5f } },
@@ -120,7 +120,7 @@ static const set demos[] = {
              PLAINLY },
       .rows = "deep-demo-hidden" },
     { NULL,
-      "At grazing angle: of a box the side that occludes is seen edge-on.",
+      "At a grazing angle: the side of a box that occludes is seen edge-on.",
       SEEN { { "grazing", "plane", 0, { 0, 0.45f, 3.2f }, { 0.1f, 0.3f, 0 }, 24, 0.6f, NULL },
              { { -0.6f, 0.001f, -0.8f, 0, 0.7f, 0.4f } },
              PLAINLY },
@@ -136,10 +136,10 @@ static const set sets[] = {
     { "Deep screen space: other choices", "Bunny on a floor, surfels of 0.03; one choice at a time.",
       SEEN BUNNY_AO, .rows = "deep-choices" },
     { "Deep screen space: light",
-      "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what is within the radius weighted by "
-      "1 - t/radius, in its truth, too.",
+      "Bunny and four boxes under the sky and a sun, one bounce. In ssdo and its truth, hits within the radius "
+      "have the weight 1 - t/radius.",
       SEEN FADING, .rows = "deep-ssdo", .quick = 1 },
-    { NULL, "Of dss-lit: all whole, in its truth, too.", SEEN WHOLE_LIGHT, .rows = "deep-light",
+    { NULL, "In dss-lit and its truth, all hits count in full.", SEEN WHOLE_LIGHT, .rows = "deep-light",
       .quick = 1 },
     { "Deep screen space: one specular bounce",
       "Open box under a point light, a lobe of exponent 8. Irradiance stands for the lobe's radiance.",
@@ -152,8 +152,8 @@ static const set sets[] = {
       "times; their splats are of their own pixels.",
       .own = full_sizes },
     { "Deep screen space: the camera turns away",
-      "A tall box on a plane leaves the picture while the camera turns to the right; the ground beside it stays, and "
-      "is what is scored. White light from everywhere.",
+      "A tall box on a plane leaves the picture while the camera turns to the right; the ground beside it stays, "
+      "and is scored. White light from everywhere.",
       .quick = 1, .kind = "turn", .own = deep_turns },
     { "Deep screen space: the camera moves",
       "Bunny on a floor; camera and target move to the right by about a pixel a frame.", .own = deep_motion },
@@ -161,7 +161,7 @@ static const set sets[] = {
       "The paper's test: bunny, floor and four boxes, some 69,000 triangles, 512 x 512 pixels (of a quick chart half "
       "as wide); surfels by tessellation, captured. Shares of one frame's time.",
       .quick = 1, .own = stages },
-    { "Deep screen space: what costs grow with", "Bunny on a floor; one thing grows at a time.", .own = grown }
+    { "Deep screen space: how costs grow", "Bunny on a floor; one thing grows at a time.", .own = grown }
 };
 
 /* The demo traces fewer samples than the chart for the truth of scattered light. */

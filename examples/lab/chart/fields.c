@@ -257,19 +257,19 @@ static const set sets[] = {
     { NULL, "Bunny on a floor.", SEEN ON_FLOOR(512), .rows = "fields", .quick = 1, .kind = "memory" },
     { NULL, "Two dozen occluders.", SEEN { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 },
       .rows = "fields", .kind = "memory" },
-    { "Fields: what occluders cost",
-      "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand "
-      "for distances. Times are of the pass alone, on 640 x 360 pixels (of a quick chart 320 x 180). Covered: pixels "
-      "within the occluders' reach, each occluder's; a software rasteriser works for all pixels of the rectangles "
-      "around those spheres.",
+    { "Fields: costs of occluders",
+      "The occluder changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball "
+      "stand for distances. Times are of the pass alone, on 640 x 360 pixels (of a quick chart 320 x 180). Covered: "
+      "pixels within the occluders' reach, each occluder's; a software rasteriser works for all pixels of the "
+      "rectangles around those spheres.",
       .quick = 1, .own = costs_of },
-    { "Fields: what a bake takes",
+    { "Fields: costs of a bake",
       "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the "
       "smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of "
       "both.",
       .quick = 1, .own = bakes_of },
     { "Fields: two occluders",
-      "Two occluders by each other on a ground, one's occlusion a, the other's b, and what both take together. "
+      "Two occluders by each other on a ground, one's occlusion a, the other's b, and that of both together. "
       "Between: 0.002 are for noise.",
       .own = pairs_of }
 };

@@ -174,8 +174,8 @@ int plan_chart(FILE *record, const options *o, kit_error *err)
     for (int i = 0; i < count; ++i) planned_numbers_csv(numbers.file, &rows[i], 0);
     page_heading(record, 2, "What a scene needs");
     page_paragraph(record,
-                   "ssgi_plan_make on scenes that it was not fitted on: for each error asked for, what it takes and "
-                   "what that turns out to err by and to cost, beside the cheapest choice that meets the error. Good: "
+                   "ssgi_plan_make on scenes that it was not fitted on: for each error asked for, its choice and the "
+                   "error and the cost of that, beside the cheapest choice that meets the error. Good: "
                    "at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no choice meets are "
                    "counted apart. Names: scene, radius, light.");
     return plan_summary(record, o->out, err) || page_csv(record, "plan", &csv, o->out, "plan.csv", err)
@@ -187,8 +187,8 @@ int plan_chart(FILE *record, const options *o, kit_error *err)
 
 void plan_text(FILE *f)
 {
-    fputs("\nplan, on what it was not fitted on: good; where something is needed; within the error; what cannot be met "
-          "and is told\n",
+    fputs("\nplan, on scenes that it was not fitted on: good; where something is needed; within the error; errors that "
+          "cannot be met, and are told\n",
           f);
     for (int k = 0; k < SETS * KNOWN; ++k) {
         const verdict *v = &verdicts[k / KNOWN][k % KNOWN];

@@ -236,7 +236,7 @@ static int seed_rows(planned_row rows[SEED_WANTED], int seed, uint64_t key, kit_
     for (int wanted = 0; wanted < SEED_WANTED; ++wanted)
         if (seed_measure(&rows[wanted], seed, wanted, err)) return -1;
     if (folder_make(FOLDER_CACHE, &note) || kit_file_write(path, rows, SEED_WANTED * sizeof *rows, &note))
-        fprintf(stderr, "report: note: what is measured is not kept: %s\n", note.text);
+        fprintf(stderr, "report: note: measurements are not kept: %s\n", note.text);
     return 0;
 }
 

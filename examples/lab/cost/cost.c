@@ -54,7 +54,7 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
         else if (!strcmp(argv[i], "--peers")) a->peers = 1;
         else if (!strcmp(argv[i], "--against") && more) a->against = argv[++i];
         else if (!strcmp(argv[i], "--family") && more) { if (take_families(w, argv[++i], err)) return -1; }
-        else if (*argv[i] == '-') return kit_fail(err, "%s: is no option, or lacks what it is to be", argv[i]);
+        else if (*argv[i] == '-') return kit_fail(err, "%s: is no option, or lacks its value", argv[i]);
         else if (is_file(argv[i]) ? work_add_file(w, argv[i], err) : work_add_chain(w, argv[i], err)) return -1;
         else a->some = 1;
     }

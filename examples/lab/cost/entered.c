@@ -98,7 +98,7 @@ static int read(found *f, const kit_pass *p, const body *b, kit_error *err)
     f->half = p->desc.gather.resolution > 0;
     f->steps = p->desc.gather.samples;
     free(texel);
-    return failed ? kit_fail(err, "what texels tell cannot be read, or is more than %d bits", MOST_BITS) : 0;
+    return failed ? kit_fail(err, "the texels cannot be read, or hold more than %d bits", MOST_BITS) : 0;
 }
 
 /* Draws a frame for each body. As an output is overwritten, the next frame's history is useless. */

@@ -85,15 +85,15 @@ const entry = (name, kind) => records[name] ? tables(records[name]).find(t => t.
 const given = r => r.method === 'none' || r.method === 'floor';
 const peer = r => family(r) === 'others' && !given(r);
 
-/* A row for each method: over the pairs of a scene and a probe, over scenes by seed, over sweeps one for each cause. */
+/* A row for each method, over the pairs of a scene and a probe. */
 const by_pair = rows => [...grouped(rows, named).values()].map(g => {
     const share = g.map(r => r.share), worst = g.reduce((a, b) => b.share > a.share ? b : a);
     return { label: g[0].label, method: g[0].method, settings: g[0].settings, time: mean(g.map(r => r.relative_time)),
              mean: mean(share), worst: worst.share, pair: `${worst.scene}, ${worst.probe}`,
              'below 1': share.filter(v => v < 1).length, pairs: g.length, bias: mean(g.map(r => r.irradiance_bias)) };
 });
-/* Models are apart; of a kind without rows the mean is null. Means by kind have peers after their fit. Noise: bands
-   from 1.2 to 8 pixels, in thousandths. */
+/* A row for each method over scenes by seed, with models apart. A kind without rows has the mean null; peers are fitted
+   first. Noise: bands from 1.2 to 8 pixels, in thousandths. */
 const by_kind = rows => [...grouped(rows, named).values()].map(all => {
     const g = all.filter(r => r.set !== 'models'), models = all.filter(r => r.set === 'models');
     const of_all = g.length ? g : all;

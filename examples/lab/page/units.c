@@ -136,7 +136,7 @@ static void keep(const char *path, const page *part, const row *rows, int count)
                 rows[i].settings, 0);
     fwrite(part->text, 1, part->size, kept.file);
     if (folder_make(FOLDER_CACHE, &note) || page_close(&kept, FOLDER_CACHE, path + strlen(FOLDER_CACHE "/"), &note))
-        fprintf(stderr, "report: note: what is measured is not kept: %s\n", note.text);
+        fprintf(stderr, "report: note: measurements are not kept: %s\n", note.text);
 }
 
 int units_measure(FILE *f, const options *o, const char *kind, int k, measuring *measure, row *rows, kit_error *err)

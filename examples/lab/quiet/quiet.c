@@ -214,7 +214,7 @@ static int write_files(const quiet *q, kit_error *err)
                    "%s, %d x %d pixels, radius %g: RMS of visibility over %zu pixels of smooth surfaces in shade, by "
                    "bands of pixels, and of 1.2 to 8. Noise: beside the same with 32 directions. All: beside the same "
                    "walk at full size with 32 directions of 20 steps. Truth: ray-traced, %d rays a pixel; its own row "
-                   "is what half of its rays are off by, no less than its grain. Milliseconds: %s.",
+                   "is the error of half of its rays, which is no smaller than its noise. Milliseconds: %s.",
                    q->stage.name, q->width, q->height, (double)q->stage.radius, q->shaded.pixels, q->rays,
                    kit_gl_is_software() ? "of a " DEVICE " at 1920x1080, modelled" : kit_gl_name());
     put_csv(table.file, q);

@@ -278,7 +278,7 @@ int moves(const moves_options *o, FILE *csv, kit_error *err)
     memset(sum, 0, sizeof sum);
     if (csv) fputs("move,scene,method,filling,filled,error,over alone,by TAA\n", csv);
     puts("deviation over the truth's in frames 1 to 8, 9 to 16; error of the last, over that of the frame alone; of a "
-         "camera that stands, what TAA shows");
+         "camera that stands, the picture by TAA");
     for (; scene_of(scene, o, count); ++count) {
         const struct kind *kind = kind_of(o, count, err);
         if (!kind || moved(figure, scene, kind, methods, o, err)) return -1;

@@ -20,12 +20,12 @@ static const struct { const char *number, *up, *shown; } kinds[] = {
                      "method, open surface (both times 0.4), second difference (full colour: 0.05)" },
     [FOLLOWS] = { "largest " OF_ALONE, OF_ALONE, DIFFERENCE },
     [AFTER] = { "largest " OF_ALONE, OF_ALONE, DIFFERENCE },
-    [NEWLY] = { "largest error of what is newly seen over that of the frame alone",
-                "error of what is newly seen over that of the frame alone", DIFFERENCE },
-    [TRAIL] = { "most of what was that is left", "what was before and is still seen, of ambient visibility",
+    [NEWLY] = { "largest error of newly seen surfaces over that of the frame alone",
+                "error of newly seen surfaces over that of the frame alone", DIFFERENCE },
+    [TRAIL] = { "most of the old picture that is left", "rest of the old picture, of ambient visibility",
                 DIFFERENCE },
-    [HELD] = { "most pixels, a share of all, that hold more than 0.05 of what was",
-               "pixels that hold more than 0.05 of what was, a share of all", DIFFERENCE }
+    [HELD] = { "most pixels, a share of all, that keep more than 0.05 of the old picture",
+               "pixels that keep more than 0.05 of the old picture, a share of all", DIFFERENCE }
 };
 
 static const char *settings_of(const curve *c) { return c->method < 0 ? "" : sweeps_method[c->method].settings; }

@@ -46,7 +46,7 @@ static int write_all(const sweep_options *o, const result *results, const int *s
         || page_open(&csv, err))
         return -1;
     page_paragraph(record.file,
-                   "Each method is swept through what such methods fail at. Errors are of ambient visibility (0 "
+                   "Each method is swept through cases in which such methods fail. Errors are of ambient visibility (0 "
                    "closed, 1 open), against ray-traced truth; no gain, no fit. Methods with light are under white "
                    "light from everywhere, where irradiance is ambient visibility.");
     show_csv_head(csv.file);

@@ -413,9 +413,10 @@ static int has_chain(int argc, char **argv)
 
 static const char usage[] =
     "usage: glsl-text --chain CHAIN .. --LANGUAGE .. FOLDER\n"
-    "                                    the shaders of chains, as hsao,balanced,thickness=back. LANGUAGE is\n"
-    "                                    330, 410, 450, 300es, 310es, 320es, vulkan, spv, wgsl, hlsl or msl\n"
-    "       glsl-text FOLDER [DIALECT]   every pass in every variant, with manifest.json\n"
+    "                                    the shaders of chains, as hsao,balanced,thickness=back, within seconds.\n"
+    "                                    LANGUAGE is 330, 410, 450, 300es, 310es, 320es, vulkan, spv, wgsl, hlsl\n"
+    "                                    or msl\n"
+    "       glsl-text FOLDER [DIALECT]   every pass in every variant, with manifest.json: thousands of files\n"
     "       glsl-text --chains           the names of chains\n"
     "       glsl-text --passes ssgi_gl.h the table of passes and fields, as PASSES.md has it\n"
     "       glsl-text --types            the TypeScript types of fields\n"

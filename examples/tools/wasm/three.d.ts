@@ -9,12 +9,14 @@ export interface Options extends Desc {
   radius?: number;
   /** default 1: visibility v is shown as 1 + strength (v - 1) */
   strength?: number;
-  /** default true: only ambient light is dimmed; false: the whole picture is */
+  /** default true, false if drawn: only ambient light is dimmed; false: the whole picture is */
   ambient?: boolean;
   /** default false; true: 16 frames are averaged */
   history?: boolean;
   /** multisampling: the samples of a pixel at opaque edges; default 0 */
   samples?: number;
+  /** default false; true: a pass before this one has drawn the scene, whose picture and depth are read */
+  drawn?: boolean;
   /** default 1: the result is filtered; 0: it is not */
   blur?: 0 | 1;
 }

@@ -239,6 +239,7 @@ const isOwn = m => isLit(m) || m.isMeshBasicMaterial || m.isMeshMatcapMaterial |
     || m.isPointsMaterial;
 const materialsOf = objects => [...new Set(objects.flatMap(({ material }) => material ?? []))];
 const onDevice = new Set(['DEPTH', 'BACK', 'NORMAL', 'ALBEDO', 'DIRECT', 'MOTION']);
+const drawnBefore = new Set(['DEPTH', 'BACK', 'MOTION']);
 
 const encoded = `
         #include <tonemapping_fragment>
@@ -293,7 +294,7 @@ export class SSGIPass {
 
     /* radius: in units of the scene. strength: of the effect, 1: as computed. alone: the result without the picture.
        adjust: called with each frame's block, to set thickness_limit, jitter, phase. given: your textures by meaning,
-       as MOTION. */
+       as MOTION, and with the option drawn as DEPTH. */
     radius = 1;
     strength = 1;
     alone = false;
@@ -308,9 +309,9 @@ export class SSGIPass {
     #ssgi = null; #asked = {}; #options = {}; #width = 1; #height = 1; #drawer = null; #run = null; #renderer = null;
     #frames = 0; #last = null; #opaque = null; #over = null; #behind = null; #screen = null; #copy = null;
     #deep = null; #outputs = []; #light = new THREE.Texture(); #bounce = new THREE.Texture(); #backs = 0;
-    #environment = { of: null, sh: null };
+    #environment = { of: null, sh: null }; #before = null;
 
-    /* A promise of this pass, resolved when ssgi.wasm is loaded; before that the scene is drawn without occlusion. It
+    /* A promise of this pass, resolved when ssgi.wasm is loaded; before that the scene is shown without occlusion. It
        is rejected with a sentence if ssgi.wasm cannot be read or an option is wrong. */
     ready;
 
@@ -331,12 +332,14 @@ export class SSGIPass {
     /* Sets the method and its options from now on; a wrong option throws a sentence, and nothing changes. preset:
        'FAST', 'BALANCED', 'BEST'. ambient: true: only ambient light is dimmed (materials of three are made to write it;
        those of your own shaders are not dimmed), false: the whole picture is. history: 16 frames are averaged. samples:
-       multisampling of opaque edges. radius, strength: as the members. All others: fields of a desc. */
+       multisampling of opaque edges. drawn: true: an earlier pass has drawn the scene; this pass reads the picture and
+       depth of the target that render() is given to read, and dims the whole picture. radius, strength: as the members.
+       All others: fields of a desc. */
     set(options) {
         this.#asked = options;
         if (!this.#ssgi) return;
-        const { preset = 'BALANCED', ambient = true, history = false, samples = 0, blur = 1, radius = this.radius,
-                strength = this.strength, ...own } = options;
+        const { preset = 'BALANCED', drawn = false, ambient = !drawn, history = false, samples = 0, blur = 1,
+                radius = this.radius, strength = this.strength, ...own } = options;
         const lit = own.pass === 'SSDO' || own.pass === 'S3HO';
         const desc = this.#ssgi.preset({ dialect: '300ES', pass: 'HSAO', normal: lit ? 'SIGNED' : 'FROM_DEPTH',
                                          orthographic: isOrthographic(this.camera),
@@ -345,8 +348,9 @@ export class SSGIPass {
         const chain = { desc, blur: +blur, history: +history, direct: +!!(desc.bounce && desc.bounce !== 'NONE') };
         const steps = this.#ssgi.steps({ ...chain, width: 64, height: 64 });
         const inputs = new Set(steps.flatMap(step => step.inputs).map(input => input.meaning).filter(Boolean));
+        if (drawn && ambient) throw new Error('ambient: must be false if drawn is true');
         for (const meaning of inputs)
-            if (!onDevice.has(meaning) && !this.given[meaning])
+            if (!(drawn ? drawnBefore : onDevice).has(meaning) && !this.given[meaning])
                 throw new Error(`desc.pass: ${desc.pass} with these choices reads ${meaning}, which this pass does not `
                                 + 'make: set given');
         if (typeof radius !== 'number' || !(radius > 0)) throw new Error('radius: must be a number above 0');
@@ -355,7 +359,7 @@ export class SSGIPass {
         this.#release();
         this.#unmakeAll();
         Object.assign(this, { radius, strength });
-        this.#options = { ambient, samples, chain, lit };
+        this.#options = { ambient, samples, chain, lit, drawn };
         this.#backs = inputs.has('BACK') ? (desc.thickness === 'SLABS' ? 3 : 1) : 0;
         const names = ['NORMAL', 'ALBEDO', 'DIRECT'].filter(name => inputs.has(name) && !this.given[name]);
         this.#outputs = [...(ambient ? ['AMBIENT'] : []), ...names];
@@ -372,12 +376,15 @@ export class SSGIPass {
     get texture() { return this.#run ? this.#light : null; }
 
     /* The scene's depth in the last frame; null: no frame was drawn. */
-    get depthTexture() { return this.#opaque?.depthTexture ?? null; }
+    get depthTexture() { return this.#before?.depth ?? this.#opaque?.depthTexture ?? null; }
 
-    render(renderer, writeBuffer) {
-        const target = this.renderToScreen ? null : writeBuffer;
+    render(renderer, writeBuffer, readBuffer) {
+        const target = this.renderToScreen ? null : writeBuffer, { drawn = false } = this.#asked;
+        this.#before = drawn
+            ? { picture: readBuffer.texture, depth: this.given.DEPTH ?? readBuffer.depthTexture } : null;
         changed([renderer], { autoClear: false }, () => {
             if (this.#ssgi) this.#drawInto(renderer, target);
+            else if (drawn) this.#show(renderer, readBuffer.texture, target);
             else {
                 renderer.setRenderTarget(target);
                 renderer.clear();
@@ -388,25 +395,37 @@ export class SSGIPass {
 
     /* Draws into a target, whose depth buffer gets the scene's depth, as RenderPass leaves it for later passes. */
     #drawInto(renderer, target) {
-        const { scene, camera } = this;
+        const { scene, camera } = this, before = this.#before;
         if (renderer.capabilities.logarithmicDepthBuffer)
             throw new Error('logarithmicDepthBuffer: must be false: its depth cannot be read; see reversedDepthBuffer');
+        if (before && !before.depth)
+            throw new Error('drawn: the target that is read has no depthTexture, and given.DEPTH is not set');
         this.#fit(renderer);
         const late = [], early = [];
         scene.traverseVisible(o => {
             if (o.isMesh || o.isLine || o.isPoints || o.isSprite) (this.isLate(o) ? late : early).push(o);
         });
-        changed(materialsOf(late), { colorWrite: false, depthWrite: false }, () =>      /* they still cast shadows */
-            this.#drawOpaque(renderer, early, late));
+        if (!before)
+            changed(materialsOf(late), { colorWrite: false, depthWrite: false }, () =>  /* they still cast shadows */
+                this.#drawOpaque(renderer, early, late));
         const back = this.#backs && masked(late, () => this.#behind.draw(renderer, scene, camera, this.#backs));
         this.#occlude(renderer, back);
-        this.#place(renderer, late.length ? this.#over : target);
-        if (late.length) {
+        const drawsLate = late.length && !before;
+        this.#place(renderer, drawsLate ? this.#over : target);
+        if (drawsLate) {
             masked(early, () => again(renderer, scene, camera));
-            renderer.setRenderTarget(target);
-            renderer.render(this.#copy, camera);
+            this.#show(renderer, this.#over.texture, target);
         }
+        this.#deep.material.uniforms.t_depth.value = this.depthTexture;
         if (target?.depthBuffer ?? true) renderer.render(this.#deep, camera);
+    }
+
+    /* Copies a picture into a target. */
+    #show(renderer, picture, target) {
+        this.#copy ??= over({ fragmentShader: plain, uniforms: { t_picture: { value: null } } });
+        this.#copy.material.uniforms.t_picture.value = picture;
+        renderer.setRenderTarget(target);
+        renderer.render(this.#copy, this.camera);
     }
 
     /* Makes the run for the picture's size, the camera's kind and its far plane, unless it exists. */
@@ -416,17 +435,19 @@ export class SSGIPass {
         const precise = +(Math.max(far, far - near) > 65504);           /* the largest 16-bit float */
         if (this.#renderer !== renderer) this.#leave();
         this.#renderer = renderer;
-        if (this.#opaque?.width === width && this.#opaque.height === height && chain.precise === precise
+        if (this.#run?.chain.width === width && this.#run.chain.height === height && chain.precise === precise
             && chain.desc.orthographic === orthographic) return;
         this.#release();
         chain.precise = precise;
         chain.desc.orthographic = orthographic;
         this.#drawer ??= new Drawer(renderer.getContext(), this.#ssgi);
-        const { samples } = this.#options, depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
-        const like = { ...nearest, type: THREE.HalfFloatType, depthTexture };
-        this.#opaque = new THREE.WebGLRenderTarget(width, height,
-                                                   { ...like, samples, count: 1 + this.#outputs.length });
-        this.#over = new THREE.WebGLRenderTarget(width, height, like);
+        if (!this.#before) {
+            const { samples } = this.#options, count = 1 + this.#outputs.length;
+            const depthTexture = new THREE.DepthTexture(width, height, THREE.FloatType);
+            const like = { ...nearest, type: THREE.HalfFloatType, depthTexture };
+            this.#opaque = new THREE.WebGLRenderTarget(width, height, { ...like, samples, count });
+            this.#over = new THREE.WebGLRenderTarget(width, height, like);
+        }
         this.#behind = new Behind(width, height);
         this.#run = this.#drawer.run({ ...chain, width, height });
         const { ambient, lit } = this.#options, names = ['picture', 'ambient', 'normal', 'albedo', 'light', 'bounce'];
@@ -434,8 +455,7 @@ export class SSGIPass {
         this.#screen = over({ fragmentShader: composite, uniforms: { ...uniforms, u_strength: { value: 1 },
             u_harmonics: { value: Array.from({ length: 9 }, () => new THREE.Vector3()) } },
             defines: { SSGI_AMBIENT: +ambient, SSGI_LIGHT: +lit, SSGI_BOUNCE: +!!this.#run.bounce, SSGI_ALONE: 0 } });
-        this.#copy = over({ fragmentShader: plain, uniforms: { t_picture: { value: this.#over.texture } } });
-        this.#deep = over({ fragmentShader: deep, uniforms: { t_depth: { value: depthTexture } }, colorWrite: false,
+        this.#deep = over({ fragmentShader: deep, uniforms: { t_depth: { value: null } }, colorWrite: false,
                             depthTest: true, depthFunc: THREE.AlwaysDepth, depthWrite: true });
         resetState(renderer);
     }
@@ -508,7 +528,7 @@ export class SSGIPass {
             frame.phase[0] = ssgi.phase(this.#frames++);
         }
         this.adjust?.(frame);
-        const yours = { DEPTH: raw(this.#opaque.depthTexture), BACK: back ? raw(back) : null };
+        const yours = { DEPTH: raw(this.depthTexture), BACK: back ? raw(back) : null };
         this.#outputs.forEach((name, i) => { yours[name] = raw(this.#opaque.textures[1 + i]); });
         for (const [meaning, texture] of Object.entries(this.given)) yours[meaning] = raw(texture);
         run.draw(yours, frame);
@@ -544,12 +564,12 @@ export class SSGIPass {
             defines.SSGI_ALONE = alone;
             material.needsUpdate = true;
         }
-        uniforms.t_picture.value = this.#opaque.textures[0];
+        uniforms.t_picture.value = this.#before?.picture ?? this.#opaque.textures[0];
         uniforms.t_light.value = this.#light;
         uniforms.t_bounce.value = this.#bounce;
         for (const name of ['AMBIENT', 'NORMAL', 'ALBEDO'])
             uniforms[`t_${name.toLowerCase()}`].value =
-                this.given[name] ?? this.#opaque.textures[1 + this.#outputs.indexOf(name)];
+                this.given[name] ?? this.#opaque?.textures[1 + this.#outputs.indexOf(name)];
         uniforms.u_strength.value = this.strength;
         renderer.setRenderTarget(target);
         renderer.render(this.#screen, this.camera);

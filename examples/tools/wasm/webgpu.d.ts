@@ -26,7 +26,7 @@ export interface Plan {
 }
 export type Step = Plan['steps'][number];
 
-/** A chain of wgsl/manifest.json as a plan without code. */
+/** A chain of the manifest of package ssgi-wgsl as a plan without code. */
 export function planOf(manifest: object, chain: object, sizes?: number[][]): Plan;
 /** A plan of the package for pictures of this size. Throws if the chain draws surfels. */
 export function sized(plan: Plan, width: number, height: number): Plan;
