@@ -186,7 +186,7 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
         fprintf(f, "%s\"%s\": \"%s\"", between, endings[k], files[k]);
         between = ", ";
     }
-    fprintf(f, " }, \"size\": \"%s\", \"frame\": %d, \"primitive\": \"%s\", \"vertices\": %d, \"instances\": %d,\n"
+    fprintf(f, " }, \"scale\": \"%s\", \"frame\": %d, \"primitive\": \"%s\", \"vertices\": %d, \"instances\": %d,\n"
                "    \"blend\": ", scales[s->scale], s->frame, primitives[s->primitive], s->vertices, s->instances);
     put_blend(f, s->blend);
     fputs(", \"clear\": ", f);
