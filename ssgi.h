@@ -5232,8 +5232,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    fetch code is called as before.
 
    Tools: files of make glsl are named by field and word (hsao.450.thickness-slabs.frag), make glsl-in is gone, and no
-   tool counts fetches in GLSL any more: make cost counts what a compiler makes of it. make dist packs a release. The npm
-   package has no folders glsl and wgsl any more: Ssgi.shader makes the GLSL, and package ssgi-wgsl has the WGSL.
+   tool counts fetches in GLSL any more: make cost counts what a compiler makes of it. make dist packs a release. The
+   npm package has no folders glsl and wgsl any more: Ssgi.shader makes the GLSL, and package ssgi-wgsl has the WGSL.
 
    Corrected: rays passed between triangles if multiply and add were fused, past long edges from close by, and through
    triangles that they met along their plane. A wrong count of lights, occluders or levels could keep a GPU busy for
