@@ -138,8 +138,9 @@ chart: build/report | page-deps
 
 # The papers' tables and figures, their values beside ours; report/index.html, and their part of
 # examples/docs/FIGURES.md. QUICK=1 is smaller; PAPER=DSS14 or PAPER='DSS14 Figure 7' selects some.
-papers: build/report | page-deps
+papers: build/report build/render | page-deps
 	build/report papers $(if $(QUICK),--quick) $(if $(PAPER),--paper '$(PAPER)') $(CONTEXT:%=--context %)
+	$(if $(QUICK)$(PAPER),,awk -f examples/lab/papers/repeat.awk -v long=1 examples/docs/PAPERS.md)
 	@$(FIGURES)
 
 # Only the chart's part on light: every pair of a scene and a probe. make light QUICK=1 is smaller.
