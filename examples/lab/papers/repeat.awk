@@ -41,31 +41,36 @@ function remark_of(head,    i) {
     for (i = 1; i <= remarks; ++i) if (index(shown[i], head ": ") == 1) return substr(shown[i], length(head) + 3)
     return ""
 }
-# The figure that the last command prints. The commands before it run if they are others than those before it last time.
-function measure(row, column, remark,    i, text, line, begin, end, value, before) {
+# The figure that the last command prints. Those before it run once, in a folder of their own.
+function measure(row, column, remark,    i, text, line, lines, begin, end, value, before) {
     for (i = 1; i <= commands; ++i) {
+        before = before (i > 1 ? " && " text " >/dev/null" : "")
         text = command[i]
         gsub(word, row, text)
         if (across != "") gsub(across, column, text)
         gsub(/build\//, at "/build/", text)
-        before = before "\n" text
-        if (i == commands || before == made[i]) continue
-        made[i] = before
-        system("cd " folder " && " text " >/dev/null")
+    }
+    if (!(before in place)) {
+        place[before] = "cd " folder " && mkdir -p " ++places " && cd " places
+        system(place[before] before)
     }
     begin = end = remark
     sub(/N.*/, "", begin)
     sub(/.*N/, "", end)
     begin = literal(begin)
-    text = "cd " folder " && " text " 2>&1"
-    while ((text | getline line) > 0)
-        if (value == "" && match(line, begin "[-+]?[0-9][0-9.]*" literal(end))) {
-            value = substr(line, RSTART, RLENGTH)
+    text = place[before] " && " text " 2>&1"
+    if (!(text in printed)) {
+        while ((text | getline line) > 0) printed[text] = printed[text] line "\n"
+        close(text)
+    }
+    before = split(printed[text], lines, "\n")
+    for (i = 1; i <= before; ++i)
+        if (match(lines[i], begin "[-+]?[0-9][0-9.]*" literal(end))) {
+            value = substr(lines[i], RSTART, RLENGTH)
             sub("^" begin, "", value)
-            value += 0
+            return value + 0
         }
-    close(text)
-    return value
+    return ""
 }
 # A figure may differ from the mean of those that are measured by 1 % and by half of its last digit.
 function judge(r, c,    rows, columns, i, j, row, column, sum, found, digits, off) {
@@ -92,7 +97,6 @@ function table_ends(    c, r) {
 /^```sh/ {
     inside = 1
     commands = remarks = heads = slow = 0
-    split("", made)
     next
 }
 /^```/ { inside = 0 }
