@@ -364,6 +364,7 @@ function paper(cells) {
                                         : `not drawn: ${word(note)}` };
         for (const c of g) if (c.kind === 'printed') of[`paper: ${c.head}`] = c.text;
         for (const c of g) if (c.kind === 'measured' || c.kind === 'time') of[c.head] = c.text;
+        for (const c of g) if (c.kind === 'modelled' && c.text) of[`${c.head}, modelled`] = c.text;
         return of;
     });
     return [el('p', {}, el('b', {}, 'The paper: '), word(text('theirs')),

@@ -36,7 +36,10 @@ static void put_bounds(FILE *f, const claim *c, int holds)
 static void put_verdict(FILE *f, const sheet *t, const claim *c, const row *rows)
 {
     const int holds = sheet_holds(t, c, rows);
+    const row *drawn = rows;
     char a[32], b[32], of[32];
+    rows = sheet_judge(&t, c, rows);
+    if (rows != drawn) fputs("by the model of a GPU it ", f);
     fprintf(f, "%s (%s", holds ? "agrees" : "does not agree", cell(a, t, rows, c->row, c->column));
     if (c->beside != ALONE)
         fprintf(f, " beside %s: %s of it", cell(b, t, rows, c->beside, c->column),
@@ -54,7 +57,7 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
     if (!f) return out;
     fprintf(f, "%s: ", c->says);
     if (sheet_holds(t, c, rows) == UNJUDGED)
-        fputs("not judged here, because a software rasteriser has times of its own", f);
+        fprintf(f, "not judged here, because %s", c->unmodelled ? c->unmodelled : "its times are not modelled");
     else if (sheet_holds(t, c, rows) == UNKNOWN) fputs("not known, for a row of it was not drawn", f);
     else put_verdict(f, t, c, rows);
     if (sheet_own(&own, t, c) && sheet_holds(t, &own, rows) >= 0) {
@@ -86,6 +89,8 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
 {
     static const char *const came_to[] = { "not judged", "unknown", "differs", "agrees" };
     char text[32], said[SENTENCE];
+    sheet finer;
+    const row *modelled = sheet_modelled(&finer, t);
     csv_cell(f, t, 0, "title", "", t->title);
     csv_cell(f, t, 0, "theirs", "", t->theirs);
     if (t->erratum) csv_cell(f, t, 0, "erratum", "", t->erratum);
@@ -99,6 +104,9 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
         for (int c = 0; c < sheet_columns(t); ++c)
             csv_cell(f, t, i + 1, sheet_timed(t, c) ? "time" : "measured", t->column[c].head,
                      cell(text, t, rows, i, c));
+        for (int c = 0; modelled && c < sheet_columns(t); ++c)
+            if (sheet_timed(t, c))
+                csv_cell(f, t, i + 1, "modelled", t->column[c].head, cell(text, &finer, modelled, i, c));
     }
     for (int k = 0; k < t->claimed; ++k) {
         csv_cell(f, t, -1 - k, "rule", t->column[t->claims[k].column].head, t->claims[k].rule);
