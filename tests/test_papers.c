@@ -146,8 +146,8 @@ static void times_of_rasterisers(void)
     static const paper_row two[] = { { .what = "a", .method = "ssao" }, { .what = "b", .method = "ssao", .base = 1 } };
     static const sheet none = { .rows = WITH_COUNT(two), .column = { { "time", TIME, 1 }, { "error", ERROR, 1 } } };
     static const struct { int column; const char *unmodelled, *told; } cases[] = {
-        { 0, NULL, "S: not judged here, because its times are not modelled" },
-        { 0, "reasons", "S: not judged here, because reasons" },
+        { 0, NULL, "S: not judged here, because its times are not modelled (would agree below 1)" },
+        { 0, "reasons", "S: not judged here, because reasons (would agree below 1)" },
         { 1, NULL, "S: agrees (1.0 beside 2.0: 0.5 of it; would not at 1 or more)" }
     };
     const double parts[PARTS] = { 10, 16.5, 2, 3 };

@@ -20,17 +20,17 @@ static const char *number(char text[32], double v)
     return text;
 }
 
-/* Writes the bounds beyond which a claim that holds would fail, or within which one that fails would hold. */
+/* Writes the bounds beyond which a claim that holds would fail, or within which another would hold. */
 static void put_bounds(FILE *f, const claim *c, int holds)
 {
     const int lower = isfinite(c->least), upper = isfinite(c->most);
     char least[32], most[32];
     number(least, c->least);
     number(most, c->most);
-    if (holds && lower && upper) fprintf(f, "would not at %s or less, nor at %s or more", least, most);
-    else if (holds) fprintf(f, "would not at %s or %s", lower ? least : most, lower ? "less" : "more");
-    else if (lower && upper) fprintf(f, "would between %s and %s", least, most);
-    else fprintf(f, "would %s %s", lower ? "above" : "below", lower ? least : most);
+    if (holds > 0 && lower && upper) fprintf(f, "would not at %s or less, nor at %s or more", least, most);
+    else if (holds > 0) fprintf(f, "would not at %s or %s", lower ? least : most, lower ? "less" : "more");
+    else if (lower && upper) fprintf(f, "would%s between %s and %s", holds ? " agree" : "", least, most);
+    else fprintf(f, "would%s %s %s", holds ? " agree" : "", lower ? "above" : "below", lower ? least : most);
 }
 
 static void put_verdict(FILE *f, const sheet *t, const claim *c, const row *rows)
@@ -56,9 +56,11 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
     out[0] = 0;
     if (!f) return out;
     fprintf(f, "%s: ", c->says);
-    if (sheet_holds(t, c, rows) == UNJUDGED)
-        fprintf(f, "not judged here, because %s", c->unmodelled ? c->unmodelled : "its times are not modelled");
-    else if (sheet_holds(t, c, rows) == UNKNOWN) fputs("not known, for a row of it was not drawn", f);
+    if (sheet_holds(t, c, rows) == UNJUDGED) {
+        fprintf(f, "not judged here, because %s (", c->unmodelled ? c->unmodelled : "its times are not modelled");
+        put_bounds(f, c, UNJUDGED);
+        fputc(')', f);
+    } else if (sheet_holds(t, c, rows) == UNKNOWN) fputs("not known, for a row of it was not drawn", f);
     else put_verdict(f, t, c, rows);
     if (sheet_own(&own, t, c) && sheet_holds(t, &own, rows) >= 0) {
         fputs("; as the library has it, ", f);
