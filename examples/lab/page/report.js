@@ -496,9 +496,9 @@ function missing() {
 const pictures = [
     { picture: 'lit', width: 1284, height: 266, label: 'A whole frame, lit by the sky',
       note: 'without occlusion; with ssdo and one bounce; by ray tracing' },
-    { picture: 'beside-1001', width: 1266, height: 660, label: 'A crop at 200 %, beside the effects of others',
-      note: 'one frame each; README says how it was chosen' },
-    { picture: 'moving', width: 1384, height: 756, label: 'A box that moves, over frames, at 200 %',
+    { picture: 'beside-1001', width: 1266, height: 660, label: 'A crop at 200 %',
+      note: 'beside other libraries and ray tracing' },
+    { picture: 'moving', width: 1384, height: 756, label: 'A moving box at 200 %',
       note: 'with history; without; by ray tracing' }
 ];
 const glance = () => el('details', { open: true }, el('summary', {}, el('h2', {}, 'At a glance')),
