@@ -234,13 +234,13 @@ typedef enum ssgi_gl_uniforms {
      BASIC    formats that each Vulkan device and WebGPU can store, which GLES always has: RGBA8 instead of R8, R32F
               instead of R16F, four channels instead of two */
 typedef enum ssgi_gl_compute {
-    SSGI_GL_COMPUTE_NONE = 0, /* a triangle, by a vertex and a fragment stage */
+    SSGI_GL_COMPUTE_NONE = 0, /* a vertex and a fragment stage draw a triangle that covers the image */
     SSGI_GL_COMPUTE_ALL,
     SSGI_GL_COMPUTE_BASIC,
     SSGI_GL_COMPUTE_FORCE = SSGI_FORCE
 } ssgi_gl_compute;
 
-/* Stages of ssgi_gl_emit. */
+/* The values of `stage` in ssgi_gl_emit. */
 enum {
     SSGI_GL_STAGE_VERTEX = 0,
     SSGI_GL_STAGE_FRAGMENT,
@@ -502,10 +502,12 @@ typedef enum ssgi_gl_filter {
 /* desc.gather.resolution: the pixels that a gather writes. Blur or history brings its result to full resolution. */
 typedef enum ssgi_gl_resolution {
     SSGI_GL_RESOLUTION_FULL = 0,     /* all pixels */
-    SSGI_GL_RESOLUTION_HALF,         /* the first pixel of every 2x2, so that the size is half, rounded up */
-    SSGI_GL_RESOLUTION_HALF_IN_TURN, /* each of the four in turn, by frame.phase: set by ssgi_gl_steps before history */
-    SSGI_GL_RESOLUTION_QUARTER,      /* the first pixel of every 4x4: a quarter of the size */
-    SSGI_GL_RESOLUTION_QUARTER_IN_TURN, /* each of these sixteen in turn */
+    SSGI_GL_RESOLUTION_HALF,         /* the first pixel of every 2x2: half of the width and of the height, rounded up */
+    SSGI_GL_RESOLUTION_HALF_IN_TURN, /* each pixel of every 2x2 in turn, by frame.phase; with chain.history
+                                        ssgi_gl_steps sets it instead of HALF */
+    SSGI_GL_RESOLUTION_QUARTER,      /* the first pixel of every 4x4: a quarter of the width and of the height, rounded
+                                        up */
+    SSGI_GL_RESOLUTION_QUARTER_IN_TURN, /* each pixel of every 4x4 in turn, likewise */
     SSGI_GL_RESOLUTION_FORCE = SSGI_FORCE
 } ssgi_gl_resolution;
 
@@ -523,7 +525,8 @@ typedef struct ssgi_gl_input_desc {
     /* the camera */
     int orthographic; /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
     int oblique;      /* DEPTH_WINDOW   1: its near plane may be oblique (ssgi_view.oblique) */
-    int left_handed;  /* 1: view-space normals have +z away from the viewer; ssgi_view_from_projection tells the rest */
+    int left_handed;  /* 1: view-space normals have +z away from the viewer; for all other inputs see
+                         ssgi_view_from_projection */
 
     /* your textures */
     ssgi_gl_depth depth;
@@ -550,9 +553,9 @@ typedef struct ssgi_gl_input_desc {
 typedef struct ssgi_gl_gather_desc {
     /* where they look */
     ssgi_gl_search search; /* hsao, ssdo, s3ho; ssao always has points */
-    int slices;            /* slices   [limit: 0..32] [default: 1]  how many; each is walked in two directions */
-    int directions;        /* points, march   [limit: 0..64] [default: points 16, march 6]  how many: the papers' N and
-                              N_d */
+    int slices;            /* slices [limit: 0..32] [default: 1] number of slices; each is walked in two directions */
+    int directions;        /* points, march [limit: 0..64] [default: points 16, march 6] number of directions: the
+                              papers' N and N_d */
     int samples; /* [limit: 0..64] [default: 6; points 1; lights 8]  samples along each direction, N_s; lights: along
                     the segment. Of the points along a direction the first occluded one counts */
     ssgi_gl_noise noise;
@@ -561,9 +564,9 @@ typedef struct ssgi_gl_gather_desc {
 
     /* the occluders: gathers and lights */
     ssgi_gl_thickness thickness;
-    int layers;              /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: space is solid from
-                                each odd one to the next; an odd last one is as thick as thickness says, CONSTANT or
-                                SOLID */
+    int layers;              /* all but slices [limit: 0..8] [default: 1] peeled depth layers: space is solid from each
+                                odd layer to the next; if the last layer is odd, its surfaces are as thick as
+                                `thickness` says, CONSTANT or SOLID */
     int views;               /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if any camera
                                 sees it in front of its depth, and occluded if none does and one finds it inside a
                                 solid */
@@ -603,10 +606,10 @@ typedef struct ssgi_gl_light_desc {
     int two_sided;                   /* ssdo, s3ho   1: emitters shine from both sides; 0: from their visible side,
                                         while in slices the other side emits 0.35 of its radiance. dss   1: surfels
                                         occlude from both sides, for sheets */
-    int one_sided;                   /* ssdo, s3ho by slices   1: surfaces that are not seen send nothing: neither those
-                                        other sides, nor second slabs. For lamps, screens and signs with a dark back,
-                                        which with 0 shine on surfaces behind them. In other scenes it has a larger
-                                        error: an environment lights surfaces from behind, too */
+    int one_sided;                   /* ssdo, s3ho by slices 1: surfaces that are not seen send nothing: neither the
+                                        other sides of emitters, nor second slabs. For lamps, screens and signs with a
+                                        dark back, which with 0 shine on surfaces behind them. In other scenes it has a
+                                        larger error: an environment lights surfaces from behind, too */
     int bounced;                     /* emitters   1: with LIGHT or BOTH they send the last frame's bounce, too, so that
                                         each frame adds a further bounce */
     int clamp;                       /* emitters   1: no emitter sends more luminance than frame.sent; its hue stays.
@@ -725,31 +728,34 @@ typedef struct ssgi_gl_desc {
     ssgi_gl_shader_desc shader;
 } ssgi_gl_desc;
 
-/* SSGI_OK, or SSGI_BAD_ARGUMENT and a sentence on the wrong field and its limits ("desc.gather.samples: must be
-   0..64"). */
+/* Checks a desc. Returns SSGI_OK, or SSGI_BAD_ARGUMENT with a sentence on the wrong field and its limits
+   ("desc.gather.samples: must be 0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
 /* ssgi_gl_choice.kind: who sets a field. */
 enum {
-    SSGI_GL_CHOICE_YOURS = 0, /* you do: the camera, your textures, cost, accuracy, look */
-    SSGI_GL_CHOICE_PAPER,     /* you do, to draw as a paper published; the defaults are better */
+    SSGI_GL_CHOICE_YOURS = 0, /* you do, for your camera, your textures, cost, accuracy or look */
+    SSGI_GL_CHOICE_PAPER,     /* you do, to draw a paper's published variant; the defaults have a lower error or cost
+                                 less */
     SSGI_GL_CHOICE_STEPS      /* ssgi_gl_steps does, in the descs of its steps */
 };
 
-/* A field of ssgi_gl_desc: all but version and fetch. */
+/* A description of a field of ssgi_gl_desc, or of a choice of ssgi_gl_chain. version and fetch, which are pointers,
+   have none. */
 typedef struct ssgi_gl_choice {
-    const char *name;     /* "search": unique among the fields */
+    const char *name;     /* "search": the field's name, which no other field has */
     const char *field;    /* "gather.search" */
-    const char *values;   /* an enum's words in order from 0, blanks between: "SLICES POINTS MARCH"; of others "" */
-    const char *sentence; /* its limits; for an enum also the prefix that makes enumerators of the words */
-    size_t offset;        /* bytes into ssgi_gl_desc */
-    int most;             /* its largest value; the least is 0 */
+    const char *values;   /* the words of an enum from 0 on, with blanks between: "SLICES POINTS MARCH"; "" if it is no
+                             enum */
+    const char *sentence; /* the field's limits; for an enum also the prefix that makes enumerators of the words */
+    size_t offset;        /* the field's offset in ssgi_gl_desc, in bytes */
+    int most;             /* the field's largest value; the least is 0 */
     int kind;             /* SSGI_GL_CHOICE_YOURS .. */
 } ssgi_gl_choice;
 
-/* The i-th field; NULL past the last. */
+/* Returns the description of field number i of ssgi_gl_desc; NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
-/* The i-th choice of ssgi_gl_chain; its offset is into ssgi_gl_chain. NULL past the last. */
+/* Returns the description of choice number i of ssgi_gl_chain, whose offset is in ssgi_gl_chain; NULL past the last. */
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_chain_choice_at(int i);
 
 /* Measured settings: the points of the README's chart. ssgi_gl_preset sets the fields that trade cost for accuracy in
@@ -791,8 +797,8 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
    desc gives the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
-/* A number for caches of programs. It is equal if the choices that reach the shader are equal (desc.shader.version and
-   desc.shader.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
+/* Returns a number for caches of programs. It is equal if the choices that reach the shader are equal
+   (desc.shader.version and desc.shader.fetch are compared by content), and 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* Writes the GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
@@ -840,8 +846,9 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
    works like snprintf. */
 SSGI_DEF size_t ssgi_gl_read(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
-SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
-SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL past the last */
+SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* returns "hsao", for instance; NULL past the last pass */
+SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* returns "330" or "vulkan", for instance; NULL past the last
+                                                           dialect */
 
 /* ==== >>io ======================================================================================================== */
 
@@ -875,11 +882,12 @@ typedef struct ssgi_gl_io {
 
 #define SSGI_GL_MAX_IO 48
 
-/* Writes the rows of a pass in this variant, as the shader has them, at most `capacity`; returns how many there are, or
+/* Writes the inputs and outputs of a desc's shaders, one a row, at most `capacity`. Returns how many rows there are, or
    0 for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
-/* Returns row i of all rows of kind PARAM: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
+/* Returns row number i of the uniforms, which are the rows of kind PARAM: the members of ssgi_gl_frame, then of
+   ssgi_gl_views; NULL past the last. */
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
@@ -961,7 +969,7 @@ typedef struct ssgi_gl_format {
 
 typedef struct ssgi_gl_input {
     const char *name, *type;      /* as in the shader: "t_ssgi_depth", "sampler2D" */
-    int unit;                     /* the sampler's: ssgi_gl_io.slot */
+    int unit;                     /* the texture unit: ssgi_gl_io.slot of the sampler */
     unsigned target;              /* GL_TEXTURE_2D .. */
     int set, binding;             /* of the sampled image in VULKAN, WebGPU; other dialects: VULKAN's defaults */
     int array;                    /* 1: its view is of an array: VK_IMAGE_VIEW_TYPE_2D_ARRAY, "2d-array" */
@@ -969,7 +977,7 @@ typedef struct ssgi_gl_input {
     int integer;                  /* 1: of unsigned integers, WebGPU's sampleType "uint"; 0: "unfilterable-float" */
     int meaning;                  /* of a texture of yours SSGI_GL_YOUR_DEPTH ..; -1: the steps write the texture */
     int texture;                  /* the number of a texture that the steps write; -1: it is yours */
-    int last;                     /* 1: it is read as the last frame left it */
+    int last;                     /* 1: the texture is read as the last frame left it */
     const ssgi_gl_format *format; /* format of the steps' texture; NULL: it is yours, see ssgi_gl_io.format */
     int width, height;            /* the size of the steps' texture (with `last` the size that this frame writes). Of
                                      yours: the least size, if it must cover the image, else 0 */
@@ -985,22 +993,22 @@ enum {
 
 typedef struct ssgi_gl_output {
     const char *name;             /* as in the shader: "o_ssgi_ao" */
-    int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
+    int texture;                  /* number of the texture, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format; /* NULL: your picture's */
     int layers, layer;            /* 0: GL_TEXTURE_2D; otherwise an array of so many layers; `layer` is drawn into */
     int set, binding;             /* of the storage image (a 2D view) with desc.shader.compute in VULKAN, WebGPU; in GL
                                      binding is the image's unit */
-    int kept;                     /* 1: make two of it, which change places each frame: history */
+    int kept;                     /* 1: make two textures of it, which change places each frame: history */
     int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
 
 /* ssgi_gl_step.scale */
 enum {
     SSGI_GL_SCALE_FULL = 0,
-    SSGI_GL_SCALE_HALF,   /* half of the image, rounded up */
+    SSGI_GL_SCALE_HALF,   /* half of the image's width and height, rounded up */
     SSGI_GL_SCALE_LEVELS, /* the size of all levels: ssgi_splat_size of the image at desc.gather.resolution */
-    SSGI_GL_SCALE_TILES,  /* an eighth of the image, rounded up */
-    SSGI_GL_SCALE_QUARTER /* a quarter of the image, rounded up */
+    SSGI_GL_SCALE_TILES,  /* an eighth of the image's width and height, rounded up */
+    SSGI_GL_SCALE_QUARTER /* a quarter of the image's width and height, rounded up */
 };
 
 /* One draw. ssgi_gl_emit of desc writes the shader of each stage. */
@@ -1009,8 +1017,9 @@ typedef struct ssgi_gl_step {
 
     /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at a quarter for QUARTER,
        at an eighth for TILES */
-    int scale;         /* SSGI_GL_SCALE_FULL ..: its size over the image's; width and height are pixels */
-    int width, height; /* [units: pixels] of that image: the viewport */
+    int scale;         /* SSGI_GL_SCALE_FULL ..: the size that is drawn over the image's; width and height are in
+                          pixels */
+    int width, height; /* [units: pixels] of the viewport */
 
     /* ---- its inputs and outputs */
     int inputs, outputs; /* how many */
@@ -1022,7 +1031,7 @@ typedef struct ssgi_gl_step {
 
     /* ---- the draw */
     unsigned primitive;      /* GL_TRIANGLES ..; those of SURFELS are captured, and rasteriser discard is on */
-    int vertices, instances; /* 0: as many as you have: surfels, occluders, three vertices a triangle */
+    int vertices, instances; /* 0: the number that you have: surfels, occluders, or three vertices a triangle */
     unsigned blend[3];       /* equation, source, destination; 0: off */
     int clear;               /* 1: clear the targets first, to clear_to in each component */
     float clear_to;
@@ -1034,9 +1043,9 @@ typedef struct ssgi_gl_step {
    Other chains may have more than a hundred steps: ssgi_gl_steps(NULL, 0, ..) tells how many. */
 #define SSGI_GL_MAX_STEPS 32
 
-/* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0.
-   If that is more than `capacity`, only the first `capacity` steps are written. A bad chain returns 0, and why says the
-   reason. With desc.filter.onto the last step draws onto your picture.
+/* Writes the draws of a chain in their order, at most `capacity`; returns how many there are, also with steps NULL and
+   capacity 0. If that is more than `capacity`, only the first `capacity` steps are written. A bad chain returns 0, and
+   why says the reason. With desc.filter.onto the last step draws onto your picture.
 
    Clear the steps' textures to 0 when you make them. If the size of the image changes, ask for the steps again; the
    shaders stay, since none depends on the size. If your textures have the greatest size, they stay, too: the image
@@ -1050,10 +1059,10 @@ typedef struct ssgi_gl_method {
     const char *name;     /* "hsao-history" */
     const char *sentence; /* its use, and its needs beyond depth and normals */
     int pass, preset;     /* chain.desc.pass; SSGI_GL_PRESET_FAST .. */
-    const char *settings; /* the settings unlike the preset's, as ssgi_gl_chain_of takes them: "history=1" */
+    const char *settings; /* the settings that differ from the preset's, as ssgi_gl_chain_of takes them: "history=1" */
 } ssgi_gl_method;
 
-/* The i-th method; NULL past the last. A pass's first method is the one to begin with. */
+/* Returns method number i; NULL past the last. A pass's first method is the one to begin with. */
 SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i);
 
 /* Fills a chain by a method's name. width and height are 0: set them.
@@ -1175,9 +1184,9 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 SSGI_DEF ssgi_result ssgi_gl_frame_of(ssgi_gl_frame *frame, const ssgi_gl_chain *chain, const ssgi_view *view,
                                       float radius, const char **why);
 
-/* The steps of a method by its name, and the frame that they share: ssgi_gl_chain_of, of the view's size and kind of
-   projection, then ssgi_gl_frame_of and ssgi_gl_steps. Returns how many steps there are; 0: why says the reason, and
-   frame stays as it is.
+/* Writes the steps of a method by its name, and the frame that they share: ssgi_gl_chain_of, of the view's size and
+   kind of projection, then ssgi_gl_frame_of and ssgi_gl_steps. Returns how many steps there are; 0: why says the
+   reason, and frame stays as it is.
      name   as in ssgi_gl_chain_of: "hsao", "hsao,depth=linear" */
 SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *frame, const char *name,
                               const ssgi_view *view, float radius, const char **why);
@@ -1200,14 +1209,14 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
 SSGI_DEF ssgi_result ssgi_gl_frame_time(ssgi_gl_frame *frame, float memory, float elapsed, float last,
                                         const char **why);
 
-/* frame.phase of frame number k, in [0,1), which spreads the noise of any few frames in a row evenly. The last 4 of its
-   24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.resolution HALF_IN_TURN,
+/* Returns frame.phase of frame number k, in [0,1), which spreads the noise of any few frames in a row evenly. The last
+   4 of its 24 bits are k's, by which passes tell the pixel that is gathered (desc.gather.resolution HALF_IN_TURN,
    QUARTER_IN_TURN). */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets the members that surfels are made with, except desc->overhang, which the shader has:
-   ssgi_gl_desc.surfel.overhang.
-   Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells how many splits the mesh needs.
+/* Sets the members of a frame with which pass surfels makes surfels, except desc->overhang, which the shader has:
+   ssgi_gl_desc.surfel.overhang. Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells
+   how many splits the mesh needs.
      view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
      mesh_to_view   as source.to_view; NULL: frame->mesh stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
@@ -1252,7 +1261,8 @@ enum { SSGI_GL_LIGHT_SUN = 0, SSGI_GL_LIGHT_POINT, SSGI_GL_LIGHT_SPOT, SSGI_GL_L
 typedef struct ssgi_gl_light {
     float at[3];        /* view space. SUN: unit vector to the light; otherwise the light's position */
     float kind;         /* SSGI_GL_LIGHT_SUN .. */
-    float colour[3];    /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: this along its normal */
+    float colour[3];    /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity along its
+                           normal */
     float min_distance; /* clamp of the distance in 1/d^2. SUN: how many of the following rows are the same sun, each
                            with a wider map (desc.light.shadow MAP or FILL) [limit: whole, 0 .. the rows that follow] */
     float normal[3];    /* VPL: unit normal; its intensity falls off by the cosine from this direction */
@@ -1260,7 +1270,7 @@ typedef struct ssgi_gl_light {
     /* ---- the shadow map: ssgi_gl_light_map */
     float patch;     /* width of a texel of the map, at depth 1 when perspective: 2 tan(angle/2) / texels */
     float map[3][4]; /* rows: view space to x, y (texels in the tile, times depth if perspective), the light's depth */
-    float decode[4]; /* that of its ssgi_view: depth[0], [1], clear, orthographic */
+    float decode[4]; /* of the map's ssgi_view: depth[0], [1], clear, orthographic */
     float tile[4];   /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
 } ssgi_gl_light;
 
@@ -1285,18 +1295,18 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
 typedef struct ssgi_gl_occluder {
     float at[3], radius;               /* the sphere that it darkens, view space */
     float to_field[3][4];              /* view space to the occluder's coordinates about the field's centre: rows */
-    float ramp, reach, inside, power;  /* those of ssgi_field_limits */
+    float ramp, reach, inside, power;  /* as in ssgi_field_limits */
     float low[8], span[8], resolution; /* those of ssgi_field */
     float slice;                       /* slice of t_ssgi_fields */
     float baked_reach;                 /* ssgi_field.reach */
-    float object;                      /* its number for desc.input.objects; 0: none */
+    float object;                      /* the object's number for desc.input.objects; 0: none */
 } ssgi_gl_occluder;
 
 /* Sets an occluder to its present place.
      limits        NULL: ssgi_field_limits_of
      slice         [limit: 0..2047] of t_ssgi_fields; fields smaller than its slices stand in their lower corner
      mesh_to_view  [limit: rotation, translation, uniform scale; may mirror] from the bake's coordinates to the pass's
-     object        [limit: 0..16777215] its number for desc.input.objects; 0: none */
+     object        [limit: 0..16777215] the object's number for desc.input.objects; 0: none */
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
                                           const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
                                           int object, const char **why);
@@ -1342,7 +1352,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>fetch: depth, position, normal, noise, environment ====================================================== */
 
 { "SSGI_FAR", NULL, __LINE__ + 1,
-    "const float SSGI_FAR = 1e18; // Background has this view depth.\n" },
+    "const float SSGI_FAR = 1e18; // the view depth of the background\n" },
 
 { "SSGI_NEAR", NULL, __LINE__ + 1,
     "const float SSGI_NEAR = 1e-18; // nearer surfaces count as background: the square of their depth is 0\n" },
@@ -1359,7 +1369,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gathered_texel", NULL, __LINE__ + 1,
-    "ivec2 ssgi_gathered_texel() { // this texel's place in the image that gathers write\n"
+    "ivec2 ssgi_gathered_texel() { // returns this texel's place in the image that gathers write\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return ivec2(gl_FragCoord.xy) - u_ssgi_target / 4;\n"
     "#elif SSGI_RESOLUTION\n"
@@ -1371,26 +1381,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The last four bits of frame.phase choose the pixel that is gathered: ssgi_gl_phase. */
 { "ssgi_turn", NULL, __LINE__ + 1,
-    "ivec2 ssgi_turn(int bit) { // the pixel of every 2x2 whose turn it is, by two bits of the phase, from `bit` on\n"
+    "// Returns the pixel of every 2x2 whose turn it is, by two bits of the phase, from `bit` on.\n"
+    "ivec2 ssgi_turn(int bit) {\n"
     "    int turn = int(16777216.0 * u_ssgi_phase) >> bit;\n"
     "    return ivec2(turn, turn + (turn >> 1)) & 1;\n"
     "}\n" },
 
 { "ssgi_turn_of_16", NULL, __LINE__ + 1,
-    "ivec2 ssgi_turn_of_16() { // the pixel of every 4x4 whose turn it is: four frames visit each 2x2 of it once\n"
+    "// Returns the pixel of every 4x4 whose turn it is; four frames visit each 2x2 of it once.\n"
+    "ivec2 ssgi_turn_of_16() {\n"
     "    return 2 * ssgi_turn(0) + ssgi_turn(2);\n"
     "}\n" },
 
 { "ssgi_gathered", NULL, __LINE__ + 1,
-    "ivec2 ssgi_gathered(ivec2 texel) { // the pixel that a texel of the gather's image stands for\n"
+    "ivec2 ssgi_gathered(ivec2 texel) { // returns the pixel that a texel of the gather's image stands for\n"
     "#if SSGI_RESOLUTION == SSGI_RESOLUTION_HALF_IN_TURN\n"
-    "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel)); // a texel beyond the image stays so\n"
+    "    // A texel beyond the image stands for a pixel beyond it.\n"
+    "    return min(2 * texel + ssgi_turn(0), max(u_ssgi_size - 1, 2 * texel));\n"
     "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
     "    return min(4 * texel + ssgi_turn_of_16(), max(u_ssgi_size - 1, 4 * texel));\n"
     "#elif SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER\n"
-    "    return 4 * texel; // It is the first pixel of its 4x4.\n"
+    "    return 4 * texel; // A gathered texel stands for the first pixel of its 4x4.\n"
     "#elif SSGI_RESOLUTION\n"
-    "    return 2 * texel; // It is the first pixel of its 2x2.\n"
+    "    return 2 * texel; // A gathered texel stands for the first pixel of its 2x2.\n"
     "#else\n"
     "    return texel;\n"
     "#endif\n"
@@ -1466,7 +1479,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_measured_origin", NULL, __LINE__ + 1,
-    "ivec2 ssgi_measured_origin() { // where the picture begins in t_ssgi_thickness, in pixels\n"
+    "ivec2 ssgi_measured_origin() { // returns where the picture begins in t_ssgi_thickness, in pixels\n"
     "    return u_ssgi_target & -2;\n"
     "}\n" },
 
@@ -1494,7 +1507,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_measured", NULL, __LINE__ + 1,
-    "vec2 ssgi_measured(ivec2 pixel) { // returns the same for a pixel of the picture\n"
+    "vec2 ssgi_measured(ivec2 pixel) { // returns view depth, and thickness in radii / 63, of a pixel of the picture\n"
     "    return ssgi_measured_texel(pixel + ssgi_measured_origin());\n"
     "}\n" },
 
@@ -1586,7 +1599,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_plane", NULL, __LINE__ + 1,
-    "vec4 ssgi_plane(vec3 P, vec3 normal) { // the tangent plane at P in the form that ssgi_above_plane takes\n"
+    "vec4 ssgi_plane(vec3 P, vec3 normal) { // returns the tangent plane at P in the form that ssgi_above_plane takes\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return vec4(normal.xy * u_ssgi_unproject.xy, -normal.z, -normal.z * P.z);\n"
     "#else\n"
@@ -1595,7 +1608,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_above_plane", NULL, __LINE__ + 1,
-    "// Returns the height above that plane of the point that is seen `offset` pixels from P, at view depth z.\n"
+    "// Returns the height above a plane of ssgi_plane of the point that is seen `offset` pixels from P, at view\n"
+    "// depth z.\n"
     "float ssgi_above_plane(vec4 plane, vec2 offset, float z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    return plane.x * offset.x + (plane.y * offset.y + (plane.z * z + plane.w));\n"
@@ -1660,14 +1674,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_octahedral", NULL, __LINE__ + 1,
-    "vec2 ssgi_octahedral(vec3 direction) { // where a direction lies on the square of the octahedral map, [-1,1]\n"
+    "// Returns where a direction lies on the square of the octahedral map, [-1,1].\n"
+    "vec2 ssgi_octahedral(vec3 direction) {\n"
     "    vec2 square = direction.xy / (abs(direction.x) + abs(direction.y) + abs(direction.z));\n"
     "    return direction.z >= 0.0 ? square : (1.0 - abs(square.yx))\n"
     "        * vec2(square.x >= 0.0 ? 1.0 : -1.0, square.y >= 0.0 ? 1.0 : -1.0);\n"
     "}\n" },
 
 { "ssgi_octahedral_decode", NULL, __LINE__ + 1,
-    "vec3 ssgi_octahedral_decode(vec2 square) { // the direction of a point of that square; its length is not 1\n"
+    "// Returns the direction of a point of the octahedral map; its length is not 1.\n"
+    "vec3 ssgi_octahedral_decode(vec2 square) {\n"
     "    vec3 direction = vec3(square, 1.0 - abs(square.x) - abs(square.y));\n"
     "    float fold = max(-direction.z, 0.0);\n"
     "    return vec3(direction.x + (direction.x >= 0.0 ? -fold : fold),\n"
@@ -1703,10 +1719,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tangent", NULL, __LINE__ + 1,
-    "// The tangent along +step: the difference to that neighbour of the two whose depth is closer to the pixel's.\n"
+    "// Returns a tangent of the surface at P, along +step: the difference to the one of two neighbours whose depth\n"
+    "// is closer to the pixel's.\n"
     "vec3 ssgi_tangent(ivec2 pixel, vec3 P, ivec2 step_) {\n"
     "#if SSGI_LIFT\n"
-    "    step_ *= max(int(ceil(0.5 * u_ssgi_offset)), 1); // neighbours beyond the edge of a splat\n"
+    "    // Takes neighbours beyond the edge of a splat of a cloud of points.\n"
+    "    step_ *= max(int(ceil(0.5 * u_ssgi_offset)), 1);\n"
     "#endif\n"
     "    float depth_after = ssgi_inside(pixel + step_) ? ssgi_depth(pixel + step_) : SSGI_FAR;\n"
     "    float depth_before = ssgi_inside(pixel - step_) ? ssgi_depth(pixel - step_) : SSGI_FAR;\n"
@@ -1742,7 +1760,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_noise", NULL, __LINE__ + 1,
-    "vec2 ssgi_noise(ivec2 pixel) { // in [0,1): x turns the directions, y offsets the samples\n"
+    "vec2 ssgi_noise(ivec2 pixel) { // returns noise in [0,1): x turns directions, y offsets samples\n"
     "#if SSGI_NOISE == SSGI_NOISE_GRADIENT\n"
     "    // x is interleaved gradient noise, which spreads evenly over every 3x3 block; y is the R2 sequence.\n"
     "    float gradient = 52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715)));\n"
@@ -1755,7 +1773,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_basis", NULL, __LINE__ + 1,
-    "mat3 ssgi_basis(vec3 normal) { // any rotation that takes +z to a unit normal [Duff et al. 2017]\n"
+    "mat3 ssgi_basis(vec3 normal) { // returns a rotation that takes +z to a unit normal [Duff et al. 2017]\n"
     "    float side = normal.z >= 0.0 ? 1.0 : -1.0;\n"
     "    float scale = -1.0 / (side + normal.z);\n"
     "    float mixed = normal.x * normal.y * scale;\n"
@@ -1779,7 +1797,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_irradiance_map", NULL, __LINE__ + 1,
-    "// Unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it; bilinear.\n"
+    "// Returns the unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it;\n"
+    "// bilinear.\n"
     "vec3 ssgi_irradiance_map(vec3 normal, int slice) {\n"
     "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
     "    vec2 place = (ssgi_octahedral(normal) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
@@ -1834,13 +1853,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
 
 { "ssgi_lift", NULL, __LINE__ + 1,
-    "// The receiver is lifted, so that its own plane, fetched at whole pixels, stays below it [HSAO08 eq. 13].\n"
+    "// Returns P lifted along its normal, so that its own plane, fetched at whole pixels, stays below it [HSAO08 eq.\n"
+    "// 13].\n"
     "vec3 ssgi_lift(vec3 P, vec3 normal) {\n"
     "    return P + normal * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
     "}\n" },
 
 { "ssgi_segment_length", NULL, __LINE__ + 1,
-    "float ssgi_segment_length; // of the segment that pass lights tests, in view units\n" },
+    "float ssgi_segment_length; // length of the segment that pass lights tests, in view units\n" },
 
 { "ssgi_measured_width", NULL, __LINE__ + 1,
     "float ssgi_measured_width(float thickness) { // returns a thickness of ssgi_measured in view units\n"
@@ -1868,20 +1888,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_SHEET = 0.0005;\n" },
 
 { "ssgi_closed", NULL, __LINE__ + 1,
-    "bool ssgi_closed(float front, float back) { // whether a back face stands behind a front\n"
+    "bool ssgi_closed(float front, float back) { // returns whether a back face stands behind a front face\n"
     "    return back > front * (1.0 + SSGI_SHEET) && back < SSGI_FAR;\n"
     "}\n" },
 
 { "ssgi_slab_thickness", NULL, __LINE__ + 1,
-    "// Thickness of the slabs that begin at z, within least .. radius. Sheets, which are their own back face, and\n"
-    "// surfaces without a back face have ssgi_thickness(), since points would step over thinner ones.\n"
+    "// Returns the thickness of two slabs that begin at view depths z, within least .. radius. Sheets, which are\n"
+    "// their own back face, and surfaces without a back face have ssgi_thickness(), since points would step over\n"
+    "// thinner ones.\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
     "    bvec2 closed = bvec2(ssgi_closed(z.x, back.x), ssgi_closed(z.y, back.y));\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, closed), u_ssgi_radius), least);\n"
     "}\n" },
 
 { "ssgi_second_thickness", NULL, __LINE__ + 1,
-    "// A second slab reaches to its back face, or is as thick as the visible surface; at most a radius.\n"
+    "// Returns the thickness of a second slab: up to its back face, or as of the visible surface; at most a radius.\n"
     "float ssgi_second_thickness(float front, float back, float width) {\n"
     "    return min(ssgi_closed(front, back) ? back - front : width, u_ssgi_radius);\n"
     "}\n" },
@@ -1897,16 +1918,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_THINNEST = 0.02; // No surface is thinner than this share of the radius.\n" },
 
 { "SSGI_OTHER", NULL, __LINE__ + 1,
-    "const float SSGI_OTHER = 0.1; // of the radius: thickness of pixels whose 2x2 begins on another surface\n" },
+    "// The share of the radius that a pixel is thick if the first one of its 2x2 shows another surface.\n"
+    "const float SSGI_OTHER = 0.1;\n" },
 
 { "SSGI_LIFTED", NULL, __LINE__ + 1,
-    "const float SSGI_LIFTED = 0.05; // of the radius: a surface goes on while it leaves its tangent plane by less\n" },
+    "const float SSGI_LIFTED = 0.05; // of the radius: a surface ends where it leaves its tangent plane by more\n" },
 
 { "SSGI_LONGEST", NULL, __LINE__ + 1,
-    "const float SSGI_LONGEST = 32.0; // pixels that a run reaches at least\n" },
+    "const float SSGI_LONGEST = 32.0; // the least number of pixels that ssgi_run reaches\n" },
 
 { "SSGI_STEEPEST", NULL, __LINE__ + 1,
-    "const float SSGI_STEEPEST = 2.0; // of the depth a pixel, in footprints: see ssgi_slope\n" },
+    "// Footprints by which depth grows from pixel to pixel; beyond it see ssgi_slope.\n"
+    "const float SSGI_STEEPEST = 2.0;\n" },
 
 { "ssgi_flat_depth", NULL, __LINE__ + 1,
     "// Returns depth, or one over depth in perspective: linear in the pixel on a plane.\n"
@@ -1924,7 +1947,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    differ. On 14 scenes by seed hsao has a relative error of .4022; with the lesser difference alone .4035, with normals
    .4016. */
 { "ssgi_slope", NULL, __LINE__ + 1,
-    "// Returns how much ssgi_flat_depth grows per pixel along a direction of the picture. It is `here` at the\n"
+    "// Returns how much ssgi_flat_depth grows per pixel along a direction of the picture. The depth is `here` at the\n"
     "// pixel and `next` at the next one. A growth of more than `steep` counts only if both sides agree.\n"
     "float ssgi_slope(ivec2 pixel, ivec2 way, float here, float next, float steep) {\n"
     "    float last = ssgi_flat_depth(pixel - way);\n"
@@ -1939,8 +1962,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The plane comes from depth alone: normals would double the bytes that the pass reads. */
 { "ssgi_facet", NULL, __LINE__ + 1,
-    "// The plane of the surface at P by depth alone, in the form of ssgi_plane. z: view depths of pixel and its next\n"
-    "// pixels along x and along y.\n"
+    "// Returns the plane of the surface at P by depth alone, in the form of ssgi_plane. z: view depths of the pixel,\n"
+    "// and of the next pixels along x and along y.\n"
     "vec4 ssgi_facet(ivec2 pixel, vec3 P, vec3 z) {\n"
     "#if SSGI_ORTHOGRAPHIC\n"
     "    float unit = 1.0;\n"
@@ -1960,8 +1983,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_end", NULL, __LINE__ + 1,
-    "// Whether the surface at P ends at an offset: -1 it drops below the tangent plane, away from the viewer, or\n"
-    "// background is seen there; 1 another surface rises above the plane, or the picture ends; 0 it goes on.\n"
+    "// Returns whether the surface at P ends at an offset: -1 it drops below the tangent plane, away from the\n"
+    "// viewer, or background is seen there; 1 another surface rises above the plane, or the picture ends; 0 it goes\n"
+    "// on.\n"
     "int ssgi_end(ivec2 pixel, ivec2 offset, vec3 P, vec4 plane, float slack) {\n"
     "    float z = ssgi_depth(pixel + offset);\n"
     "    float height = ssgi_above_plane(plane, vec2(offset), z);\n"
@@ -1986,8 +2010,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slab_widths", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// In a 2x2 a pixel is as thick as the way to its back face. Without a back face it keeps its width; a sheet,\n"
-    "// which is its own back face, keeps half of it.\n"
+    "// Returns the thickness of each pixel of a 2x2: the distance to its back face. Without a back face a pixel\n"
+    "// keeps its width; a sheet, which is its own back face, keeps half of it.\n"
     "vec4 ssgi_slab_widths(ivec2 pixel, vec4 z, vec4 width) {\n"
     "    for (int i = 0; i < 4; ++i) {\n"
     "        float back = ssgi_slabs(pixel + ivec2(i & 1, i >> 1)).x;\n"
@@ -2078,7 +2102,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_radiance_from", "SSGI_BOUNCE != SSGI_BOUNCE_PATCH", __LINE__ + 1,
-    "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) { // radiance that the receiver gets from it at place\n"
+    "// Returns the radiance that the receiver gets from an emitter at place.\n"
+    "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) {\n"
     "#if !SSGI_TWO_SIDED\n"
     "    if (!(dot(ssgi_unpack_normal(emitter.y), ssgi_P - place) > 0.0)) return vec3(0.0);\n"
     "#endif\n"
@@ -2086,7 +2111,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_radiance_from", "SSGI_BOUNCE == SSGI_BOUNCE_PATCH", __LINE__ + 1,
-    "// Radiance that the receiver gets from a patch of area pi r^2 / N at place [SSDO09 3], without the factor pi/N.\n"
+    "// Returns the radiance that the receiver gets from a disc of area pi r^2 / N at place [SSDO09 3], without the\n"
+    "// factor pi/N.\n"
     "vec3 ssgi_radiance_from(uvec2 emitter, vec3 place) {\n"
     "    vec3 offset = ssgi_P - place;\n"
     "    float squared = max(dot(offset, offset), 1e-30);\n"
@@ -2102,7 +2128,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_fade_weight", NULL, __LINE__ + 1,
-    "float ssgi_fade_weight(vec3 place) { // the weight of an occluder that the depth buffer has at place\n"
+    "float ssgi_fade_weight(vec3 place) { // returns the weight of an occluder that the depth buffer has at place\n"
     "    vec3 offset = place - ssgi_P;\n"
     "    float radii = length(offset) / u_ssgi_radius;\n"
     "    float weight = 1.0;\n"
@@ -2126,7 +2152,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_surface", NULL, __LINE__ + 1,
-    "float ssgi_surface(int view, ivec2 pixel, int layer) { // the view depth of camera `view`'s layer at a pixel\n"
+    "// Returns the view depth of a layer of camera `view` at a pixel.\n"
+    "float ssgi_surface(int view, ivec2 pixel, int layer) {\n"
     "#if SSGI_VIEWS\n"
     "    ivec3 texel = ivec3(pixel, view * SSGI_VIEW_LAYERS + layer);\n"
     "    if (view >= 0) return ssgi_view_depth(u_ssgi_view_decode[view], texelFetch(t_ssgi_views, texel, 0).x);\n"
@@ -2138,7 +2165,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_way", NULL, __LINE__ + 1,
-    "vec3 ssgi_way; // the vector from the receiver to the sample\n" },
+    "vec3 ssgi_way; // the vector from the receiver (ssgi_P) to the sample\n" },
 
 { "ssgi_offer_emitter", NULL, __LINE__ + 1,
     "// Keeps the surface that is closest to the segment from the receiver to the sample.\n"
@@ -2212,8 +2239,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occupancy", NULL, __LINE__ + 1,
-    "// Where `depth` lies at a pixel of camera `view`. Above 0: inside a solid of this weight, which reaches from\n"
-    "// an odd layer to the next; -1: in front of the visible surface by more than the slack; 0: unknown.\n"
+    "// Returns where `depth` lies at a pixel of camera `view`. Above 0: inside a solid of this weight, which reaches\n"
+    "// from an odd layer to the next; -1: in front of the visible surface by more than the slack; 0: unknown.\n"
     "float ssgi_occupancy(int view, ivec2 pixel, float depth, int layers, float slack) {\n"
     "    // A solid whose back no layer has is as thick as ssgi_thickness(), or endless; beyond it all is unknown.\n"
     "    float found = 0.0;\n"
@@ -2238,7 +2265,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_occupancy_of_view(int view, vec3 probe) {\n"
     "    vec3 shift = u_ssgi_view_to[view][3].xyz;\n"
     "#if SSGI_ORTHOGRAPHIC\n"
-    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w; // Subtracted from probe.z it would round each.\n"
+    "    // It is not subtracted from probe.z, which would round each.\n"
+    "    shift -= u_ssgi_view_to[view][2].xyz * u_ssgi_decode.w;\n"
     "#endif\n"
     "    vec3 seen = mat3(u_ssgi_view_to[view]) * probe + shift;\n"
     "    float unit = u_ssgi_view_decode[view].w > 0.0 ? 1.0 : seen.z;\n"
@@ -2249,7 +2277,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occlusion_at", "SSGI_LAYERS > 1 || SSGI_VIEWS", __LINE__ + 1,
-    "float ssgi_occlusion_at(vec3 probe) { // the weight of the solid that the probe is in; 0: it is in none\n"
+    "float ssgi_occlusion_at(vec3 probe) { // returns the weight of the solid that the probe is in; 0: it is in none\n"
     "    ivec2 pixel = ivec2(floor(ssgi_project(probe)));\n"
     "#if SSGI_BOUNCE\n"
     "    ssgi_emitter = vec4(0.0, 0.0, 0.0, SSGI_FAR);\n"
@@ -2258,7 +2286,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float found = probe.z < 0.0 && ssgi_inside(pixel) ? ssgi_occupancy(-1, pixel, -probe.z, SSGI_LAYERS, 0.0)\n"
     "        : 0.0;\n"
     "#if SSGI_VIEWS\n"
-    "    for (int view = 0; view < SSGI_VIEWS; ++view) { // a camera that sees it unoccluded decides\n"
+    "    for (int view = 0; view < SSGI_VIEWS; ++view) { // A camera that sees the probe unoccluded decides.\n"
     "        float known = ssgi_occupancy_of_view(view, probe);\n"
     "        found = min(found, known) < 0.0 ? -1.0 : max(found, known);\n"
     "    }\n"
@@ -2267,7 +2295,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sending_depth", NULL, __LINE__ + 1,
-    "float ssgi_sending_depth(ivec2 pixel) { // view depth of a pixel; its surface becomes ssgi_emitter\n"
+    "float ssgi_sending_depth(ivec2 pixel) { // returns a pixel's view depth; its surface becomes ssgi_emitter\n"
     "    uvec2 emitter = ssgi_emitter_texel(-1, pixel, 0);\n"
     "    float z = ssgi_unpack_depth(emitter.y);\n"
     "    ssgi_emitter.xyz = ssgi_radiance_from(emitter, ssgi_point(-1, pixel, z));\n"
@@ -2280,12 +2308,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_thickness_at", NULL, __LINE__ + 1,
-    "float ssgi_thickness_at(ivec2 pixel, float z) { // The visible surface at depth z is a pixel thick at least.\n"
+    "float ssgi_thickness_at(ivec2 pixel, float z) { // returns the visible surface's thickness, at least a pixel\n"
     "    return max(ssgi_measured_width(ssgi_measured(pixel).y), ssgi_footprint(z));\n"
     "}\n" },
 
 { "ssgi_in_slabs", "SSGI_THICKNESS > SSGI_THICKNESS_WIDTH", __LINE__ + 1,
-    "// Whether `depth` lies in a pixel's first slab, which begins at z, or in its second: z becomes its front then.\n"
+    "// Returns whether `depth` lies in a pixel's first slab, which begins at z, or in its second: z becomes its\n"
+    "// front then.\n"
     "bool ssgi_in_slabs(ivec2 pixel, float depth, inout float z) {\n"
     "    vec3 back = ssgi_slabs(pixel);\n"
     "    vec2 front = vec2(z, back.y);\n"
@@ -2385,14 +2414,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "SSGI_SH_AMBIENT", NULL, __LINE__ + 1,
-    "const float SSGI_SH_AMBIENT = 1.12837917; // times coefficient 0 it is ambient visibility: 2 / sqrt(pi)\n" },
+    "const float SSGI_SH_AMBIENT = 1.12837917; // coefficient 0 times this is ambient visibility: 2 / sqrt(pi)\n" },
 
 { "SSGI_COSINE", NULL, __LINE__ + 1,
     "// The clamped cosine has these zonal harmonics.\n"
     "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0);\n" },
 
 { "ssgi_sh_zonal", NULL, __LINE__ + 1,
-    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 axis) { // a lobe about axis; zonal has one lane for each band\n"
+    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 axis) { // returns a lobe about axis; zonal has one lane for each band\n"
     "    ssgi_sh y = ssgi_sh_basis(axis);\n"
     "    zonal *= vec4(3.54490770, 2.04665341, 1.58533092, 1.33984917);\n"
     "    y.word0 *= zonal.xyyy;\n"
@@ -2582,7 +2611,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_load_last", "SSGI_TRANSFER", __LINE__ + 1,
-    "ssgi_coefficients ssgi_load_last(ivec2 texel) { // the filtered coefficients of the last frame, three sets\n"
+    "// Reads the three filtered sets of coefficients of the last frame.\n"
+    "ssgi_coefficients ssgi_load_last(ivec2 texel) {\n"
     "    ssgi_coefficients coefficients;\n"
     "#if SSGI_BANDS < 3\n"
     "    uvec4 red = uvec4(0u);\n"
@@ -2655,7 +2685,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_ambient", NULL, __LINE__ + 1,
-    "// Ambient visibility: coefficient 0 times a factor.\n"
+    "// Returns ambient visibility: coefficient 0 times a factor.\n"
     "vec3 ssgi_ambient(ssgi_coefficients coefficients) {\n"
     "    vec3 ambient = vec3(coefficients.channel[0].word0.x,\n"
     "        coefficients.channel[1 % coefficients.channel.length()].word0.x,\n"
@@ -2668,7 +2698,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_incoming", "SSGI_HARMONICS == SSGI_HARMONICS_FRAME", __LINE__ + 1,
-    "// One channel of the irradiance that visibility lets in [S3HO12 eq. 3].\n"
+    "// Returns one channel of the irradiance that visibility lets in [S3HO12 eq. 3].\n"
     "float ssgi_incoming(int channel, ssgi_sh visibility) {\n"
     "    float irradiance = dot(u_ssgi_harmonics[channel], visibility.word0);\n"
     "#if SSGI_BANDS > 2\n"
@@ -2698,7 +2728,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_lit_at; // the place for which your harmonics are called\n" },
 
 { "ssgi_incoming", "SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM", __LINE__ + 1,
-    "// Irradiance by your coefficients i to i + count - 1; lane k of red, green and blue is the transfer of i + k.\n"
+    "// Returns irradiance by your coefficients i to i + count - 1; lane k of red, green and blue is the transfer of\n"
+    "// i + k.\n"
     "vec3 ssgi_incoming(int i, int count, vec4 red, vec4 green, vec4 blue) {\n"
     "    vec3 irradiance = vec3(0.0);\n"
     "    vec3 place = ssgi_to_yours(ssgi_lit_at);\n"
@@ -2708,7 +2739,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_irradiance", "SSGI_HARMONICS == SSGI_HARMONICS_CUSTOM", __LINE__ + 1,
-    "// Irradiance over pi by your harmonics. They are in world space, so the transfer is turned there.\n"
+    "// Returns irradiance over pi by your harmonics. They are in world space, so the transfer is turned into it.\n"
     "vec3 ssgi_irradiance(ssgi_coefficients coefficients, vec3 normal) {\n"
     "    for (int channel = 0; channel < coefficients.channel.length(); ++channel)\n"
     "        ssgi_sh_turn(coefficients.channel[channel], transpose(u_ssgi_rotation));\n"
@@ -2856,7 +2887,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_receiver_depth", NULL, __LINE__ + 1,
-    "float ssgi_receiver_depth(ivec2 pixel) { // view depth of the layer that receives light\n"
+    "float ssgi_receiver_depth(ivec2 pixel) { // returns the view depth of the layer that receives light\n"
     "#if SSGI_RECEIVER\n"
     "    return ssgi_layer(pixel, SSGI_RECEIVER);\n"
     "#else\n"
@@ -2884,7 +2915,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_albedo", NULL, __LINE__ + 1,
-    "vec3 ssgi_albedo(ivec2 pixel) { // albedo of the layer that receives light\n"
+    "vec3 ssgi_albedo(ivec2 pixel) { // returns the albedo of the layer that receives light\n"
     "#if SSGI_RECEIVER\n"
     "    return texelFetch(t_ssgi_albedo, ivec3(pixel + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz;\n"
     "#else\n"
@@ -2922,9 +2953,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_bent", NULL, __LINE__ + 1,
-    "// The mean unoccluded direction, which is 2/3 sqrt(3/pi) of band 1, and the cosine c of the half-angle of the\n"
-    "// cone that spreads as much: its cosine-weighted directions have a mean of length 2/3 (1 + c + c^2) / (1 + c)\n"
-    "// [SSBN11].\n"
+    "// Returns the mean unoccluded direction, which is 2/3 sqrt(3/pi) of band 1, and the cosine c of the half-angle\n"
+    "// of the cone that spreads as much: its cosine-weighted directions have a mean of length 2/3 (1 + c + c^2) / (1\n"
+    "// + c) [SSBN11].\n"
     "vec4 ssgi_bent(ssgi_sh harmonics) {\n"
     "    vec3 mean = harmonics.word0.wyz * 0.65147002;\n"
     "    float reach = length(mean);\n"
@@ -2934,13 +2965,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_light_harmonics", NULL, __LINE__ + 1,
-    "// Irradiance by a light whose cap is projected onto harmonics and windowed. It is normalised, so that an\n"
-    "// unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One band has\n"
-    "// no direction: every surface receives the mean over all normals.\n"
+    "// Returns the irradiance by a light whose cap is projected onto harmonics and windowed. It is normalised, so\n"
+    "// that an unoccluded surface that faces the light receives its full irradiance [S3HO12 2.2, normalised]. One\n"
+    "// band has no direction: every surface receives the mean over all normals.\n"
     "vec3 ssgi_light_harmonics(ssgi_light light, ssgi_coefficients coefficients, vec3 normal) {\n"
-    "    float radius = light.colour.w / light.distance; // This is the sine of the cap's half-angle.\n"
+    "    float radius = light.colour.w / light.distance; // the sine of the half-angle of the light's cap\n"
     "    float cosine = light.position.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
-    "    // These are the means of the Legendre polynomials over the cap.\n"
+    "    // The lanes are the means of the Legendre polynomials over the light's cap.\n"
     "    vec4 means = vec4(1.0, 0.5 + 0.5 * cosine, 0.5 * cosine * (1.0 + cosine),\n"
     "        0.125 * (1.0 + cosine) * (5.0 * cosine * cosine - 1.0));\n"
     "    means *= u_ssgi_window;\n"
@@ -2973,7 +3004,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_shade", "SSGI_SHADING != SSGI_SHADING_HARMONICS", __LINE__ + 1,
-    "// Irradiance over pi along the mean unoccluded direction.\n"
+    "// Returns the irradiance over pi along the mean unoccluded direction.\n"
     "vec3 ssgi_shade(ssgi_coefficients coefficients, vec3 normal) {\n"
     "    float visibility = clamp(coefficients.channel[0].word0.x * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
     "    vec4 bent = ssgi_bent(coefficients.channel[0]);\n"
@@ -3016,7 +3047,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_encode_for_filter", NULL, __LINE__ + 1,
-    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 normal) { // returns light as desc.light.restore says\n"
+    "// Returns light in the form that desc.light.restore names.\n"
+    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 normal) {\n"
     "#if !SSGI_RESTORE\n"
     "    return max(light, 0.0);\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
@@ -3055,7 +3087,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>gather: sampling around a pixel ========================================================================= */
 
 { "ssgi_sums", NULL, __LINE__ + 1,
-    "struct ssgi_sums { // A share is a part of the cosine-weighted hemisphere, attenuated over the distance.\n"
+    "// The sums of a gather. A share is a part of the cosine-weighted hemisphere, attenuated over the distance.\n"
+    "struct ssgi_sums {\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
     "    float all; // occluded share\n"
     "#endif\n"
@@ -3076,7 +3109,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_sums_none", NULL, __LINE__ + 1,
-    "ssgi_sums ssgi_sums_none(vec3 axis) { // nothing is occluded; axis is the axis of the cosine lobe\n"
+    "ssgi_sums ssgi_sums_none(vec3 axis) { // returns sums without occlusion; axis: of the cosine lobe\n"
     "    ssgi_sums sums;\n"
     "#if SSGI_PASS == SSGI_PASS_SSAO || SSGI_PASS == SSGI_PASS_HSAO\n"
     "    sums.all = 0.0;\n"
@@ -3121,7 +3154,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_attenuation", NULL, __LINE__ + 1,
-    "float ssgi_attenuation(float away) { // an occluder's weight by its distance in radii [HSAO08 3.5]\n"
+    "float ssgi_attenuation(float away) { // returns an occluder's weight by its distance in radii [HSAO08 3.5]\n"
     "#if SSGI_FALLOFF == SSGI_FALLOFF_NONE\n"
     "    return away < 1.0 ? 1.0 : 0.0;\n"
     "#elif SSGI_FALLOFF == SSGI_FALLOFF_LINEAR\n"
@@ -3154,14 +3187,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "struct ssgi_points { // where samples lie\n"
     "    vec3 start; // the lifted receiver\n"
     "    mat3 basis; // takes +z to the normal, after a turn by noise\n"
-    "    float offset; // is added to the length of each row of the kernel, modulo 1\n"
+    "    float offset; // is added to the length of each direction of the kernel, modulo 1\n"
     "#if SSGI_KERNEL_TEXTURE\n"
     "    int row; // row of t_ssgi_kernel, a set of directions\n"
     "#endif\n"
     "};\n" },
 
 { "ssgi_points_of", NULL, __LINE__ + 1,
-    "ssgi_points ssgi_points_of(vec3 P, vec3 normal, vec2 random) { // also sets ssgi_P and ssgi_n\n"
+    "// Returns a receiver's points; sets ssgi_P, ssgi_n.\n"
+    "ssgi_points ssgi_points_of(vec3 P, vec3 normal, vec2 random) {\n"
     "#if SSGI_FADE || SSGI_RANGE_CHECK\n"
     "    ssgi_P = P;\n"
     "#elif SSGI_BOUNCE && (!SSGI_TWO_SIDED || SSGI_BOUNCE == SSGI_BOUNCE_PATCH || SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
@@ -3242,7 +3276,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float occlusion = ssgi_point_occlusion(points, i, direction);\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM_DIRECTIONS\n"
-    "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // before the weight: all patches are equal\n"
+    "        // Before the weight, as all discs have one area.\n"
+    "        ssgi_add_bounce(sums, direction, points.basis, occlusion);\n"
     "#endif\n"
     "#if SSGI_UNIFORM_DIRECTIONS\n"
     "        float weight = 2.0 * direction.z; // the cosine, times 2 pi steradians over its integral, pi\n"
@@ -3364,7 +3399,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gather", "SSGI_SEARCH == SSGI_SEARCH_MARCH", __LINE__ + 1,
-    "ssgi_sums ssgi_gather(ivec2 pixel, vec3 P, vec3 normal, vec2 random) { // averages over tangents [HSAO08 eq. 6]\n"
+    "// Averages the occlusion over tangents [HSAO08 eq. 6].\n"
+    "ssgi_sums ssgi_gather(ivec2 pixel, vec3 P, vec3 normal, vec2 random) {\n"
     "    mat3 basis = ssgi_basis(normal);\n"
     "    vec3 start = ssgi_lift(P, normal);\n"
     "#if SSGI_MARCH_TERMS != SSGI_MARCH_TERMS_RAYS && (SSGI_LAYERS > 1 || SSGI_VIEWS)\n"
@@ -3439,7 +3475,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_ROUNDED = 0.005; // pixels: rounding moves positions by less in pictures of 8,000 pixels\n" },
 
 { "SSGI_JOINED", NULL, __LINE__ + 1,
-    "const float SSGI_JOINED = 4.0; // thickness CONSTANT joins two taps if depth differs by fewer gaps than this\n" },
+    "const float SSGI_JOINED = 4.0; // with thickness CONSTANT two taps join if their depths differ by fewer gaps\n" },
 
 /* The value suits environments. With .2 the bounce of ssdo has an error of .5418 on 28 scenes by seed at 1280x720, and
    with .35 of .5048. With 0 (desc.light.one_sided) the error is .6614 on 14 scenes, and with .35 it is .5337 and less
@@ -3484,7 +3520,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walked_origin", NULL, __LINE__ + 1,
-    "ivec2 ssgi_walked_origin() { // first texel of the picture in the depth that slices read\n"
+    "ivec2 ssgi_walked_origin() { // returns the picture's first texel in the texture of depth that slices read\n"
     "#if SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
     "    return ssgi_measured_origin();\n"
     "#else\n"
@@ -3503,7 +3539,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    vec2 across, up; // one radius along x of the basis, and along y, in pixels\n"
     "#if SSGI_ORTHOGRAPHIC || SSGI_MEASURED\n"
-    "    float lift; // radii by which taps are lowered, as rounding of their depths may lift them by as much\n"
+    "    float lift; // radii by which samples are lowered, as rounding of their depths may lift them by as much\n"
     "#endif\n"
     "#if SSGI_LIFT\n"
     "    float raised; // how far the receiver stands above its surface, in radii\n"
@@ -3711,7 +3747,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tap_at", NULL, __LINE__ + 1,
-    "ssgi_tap ssgi_tap_at(ssgi_slice slice, ssgi_side side, vec2 place, float way) { // way: share of the side\n"
+    "// Returns the sample at the share `way` of a side.\n"
+    "ssgi_tap ssgi_tap_at(ssgi_slice slice, ssgi_side side, vec2 place, float way) {\n"
     "    ssgi_tap tap;\n"
     "    tap.texel = ivec2(place);\n"
     "#if SSGI_THICKNESS < SSGI_THICKNESS_WIDTH\n"
@@ -3764,7 +3801,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "};\n" },
 
 { "ssgi_walked_none", NULL, __LINE__ + 1,
-    "ssgi_walked ssgi_walked_none(float z) { // the receiver counts as the last tap\n"
+    "ssgi_walked ssgi_walked_none(float z) { // returns the state before any tap\n"
     "    ssgi_walked walked;\n"
     "    walked.left = 0xffffffffu;\n"
     "    walked.distance = 0.0;\n"
@@ -3843,12 +3880,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gap", NULL, __LINE__ + 1,
-    "struct ssgi_gap { // The larger is the gap between taps. Both are kept, as GPUs have a maximum of three values.\n"
+    "struct ssgi_gap { // The larger one counts. Both are kept, as GPUs have a maximum of three values.\n"
     "    float last, first; // view units: from the last tap to this one; from the receiver to the first tap\n"
     "};\n" },
 
 { "ssgi_between", NULL, __LINE__ + 1,
-    "float ssgi_between(ssgi_gap gap) { // returns the gap between taps\n"
+    "float ssgi_between(ssgi_gap gap) { // returns the larger gap\n"
     "    return max(gap.last, gap.first);\n"
     "}\n" },
 
@@ -3899,7 +3936,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if SSGI_THICKNESS == SSGI_THICKNESS_CONSTANT\n"
     "        float apart = abs(tap.z - walked.z) / SSGI_JOINED;\n"
     "#elif SSGI_THICKNESS > SSGI_THICKNESS_SOLID\n"
-    "        float apart = max(tap.z - walked.end_, walked.z - end_); // below 0 if their depths overlap\n"
+    "        // Below 0 if the depths of both surfaces overlap.\n"
+    "        float apart = max(tap.z - walked.end_, walked.z - end_);\n"
     "#endif\n"
     "        bool joined = apart < ssgi_between(gap) && tap.seen && walked.seen;\n"
     "        uint arc = ssgi_sectors(joined ? min(low, walked.low) : low, joined ? max(high, walked.high) : high);\n"
@@ -3908,7 +3946,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        fresh = ssgi_cover_sectors(walked.left, arc, mix(min(radii, 2.0), min(walked.distance, 1.0), part));\n"
     "        walked.share += fresh;\n"
     "#if SSGI_ENVIRONMENT\n"
-    "        back = back.y > 0.0 ? back : vec2(1.0, 0.0); // This is the lower end of the arc.\n"
+    "        back = back.y > 0.0 ? back : vec2(1.0, 0.0); // the lower end of the arc\n"
     "        ssgi_add_elevation(walked, vec2(cosine, tap.sine) + (joined ? ssgi_last_elevation(walked) : back),\n"
     "            fresh);\n"
     "#endif\n"
@@ -4027,7 +4065,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float unit = 1.0 / float(SSGI_SAMPLES);\n"
     "    float reach = u_ssgi_radius;\n"
     "#if SSGI_SPAN\n"
-    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // Slices reach to this share of the radius.\n"
+    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // the share of the radius that slices reach\n"
     "    pixels *= share;\n"
     "    reach *= share;\n"
     "#endif\n"
@@ -4090,7 +4128,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_map_light", "SSGI_SEARCH == SSGI_SEARCH_SLICES", __LINE__ + 1,
-    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 normal) { // dark is irradiance over pi here\n"
+    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 normal) { // dark: occluded irradiance over pi\n"
     "#if !SSGI_RESTORE\n"
     "    return max(ssgi_open_light(P, normal) - dark, 0.0);\n"
     "#elif SSGI_RESTORE == SSGI_RESTORE_RATIO\n"
@@ -4103,7 +4141,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ---- the output of a gather */
 
 { "ssgi_transfer", NULL, __LINE__ + 1,
-    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // Its dot product with light is irradiance [S3HO12 eq. 2].\n"
+    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // Light dot this is irradiance [S3HO12 eq. 2].\n"
     "#if !(SSGI_PASS == SSGI_PASS_S3HO && SSGI_BOUNCE)\n"
     "    ssgi_coefficients coefficients = ssgi_coefficients_none();\n"
     "#else\n"
@@ -4219,7 +4257,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_texel", NULL, __LINE__ + 1,
-    "// Adds a texel's eight bytes times a weight.\n"
+    "// Adds a field's texel, eight bytes, times a weight.\n"
     "void ssgi_field_texel(ivec3 texel, float weight, inout vec4 first, inout vec4 second) {\n"
     "    uvec2 bytes = texelFetch(t_ssgi_fields, texel, 0).xy;\n"
     "    first += weight * vec4(bytes.x & 255u, bytes.x >> 8 & 255u, bytes.x >> 16 & 255u, bytes.x >> 24);\n"
@@ -4390,7 +4428,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_outside", NULL, __LINE__ + 1,
-    "float ssgi_outside(vec3 P) { // returns how far a point is outside the frustum; 0 inside\n"
+    "float ssgi_outside(vec3 P) { // returns the distance of a point outside the frustum; 0 inside\n"
     "    vec2 corner = u_ssgi_unproject.zw;\n"
     "    vec2 opposite = u_ssgi_unproject.xy * vec2(u_ssgi_size) + corner;\n"
     "    vec2 low = min(corner, opposite);\n"
@@ -4567,8 +4605,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_nothing", NULL, __LINE__ + 1,
     "void main() {} // Nothing is drawn, but GLES requires a fragment stage.\n" },
 
-/* Returns a block's hash. Exclusive or with it turns a pixel's place in the block into the number of its sub-buffer,
-   and that number into the place. */
+/* Returns a hash of a block of pixels. Exclusive or with it turns a pixel's place in the block into the number of its
+   sub-buffer, and that number into the place. */
 { "ssgi_interleave", NULL, __LINE__ + 1,
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint hash = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
@@ -4576,7 +4614,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_shift", NULL, __LINE__ + 1,
-    "int ssgi_shift() { // In x and in y one pixel in 2 to this power is dealt out to sub-buffers.\n"
+    "int ssgi_shift() { // returns k: along x and y one pixel in 2^k is dealt to sub-buffers\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return 2;\n"
     "#elif SSGI_RESOLUTION\n"
@@ -4587,12 +4625,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_dealt", NULL, __LINE__ + 1,
-    "ivec2 ssgi_dealt() { // size of the image that is dealt out to sub-buffers\n"
+    "ivec2 ssgi_dealt() { // returns the size of the image that is dealt out to sub-buffers\n"
     "    return (u_ssgi_size + ((1 << ssgi_shift()) - 1)) >> ssgi_shift();\n"
     "}\n" },
 
 { "ssgi_level", NULL, __LINE__ + 1,
-    "ivec2 ssgi_level() { // size of one level: its sub-buffers side by side\n"
+    "ivec2 ssgi_level() { // returns the size of one level, whose sub-buffers lie side by side\n"
     "    int last = (1 << (SSGI_LEVELS - 1)) - 1;\n"
     "    return (ssgi_dealt() + last) & ~last;\n"
     "}\n" },
@@ -4656,7 +4694,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_seen = float(disc.z < 0.0 && ssgi_inside(pixel) && abs(ssgi_depth(pixel) + disc.z) < 2.0 * disc.w);\n"
     "#endif\n"
     "#if SSGI_SPAN && SSGI_EFFECT == SSGI_EFFECT_BOUNCE\n"
-    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0) // take its light from the screen\n"
+    "    // Slices already take the light of surfels that they see from the screen.\n"
+    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(disc.xyz)) > 0.0)\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_emitters, ivec3(pixel + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
     "#if SSGI_EFFECT < SSGI_EFFECT_BOUNCE\n"
@@ -4665,7 +4704,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent;\n"
     "#endif\n"
     "#if SSGI_EFFECT == SSGI_EFFECT_SPECULAR\n"
-    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // This is the peak of the lobe.\n"
+    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // times the peak of the lobe\n"
     "#elif SSGI_EFFECT == SSGI_EFFECT_CUSTOM\n"
     "    float reach = ssgi_custom_reach(ssgi_to_yours(disc.xyz), turned.xyz, disc.w, sent, u_ssgi_epsilon);\n"
     "#endif\n"
@@ -4820,7 +4859,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Adds light by the dipole [JMLH01 section 2.3, DSS14 section 4]. */
+/* Adds the light that a surfel scatters under the surface, by the dipole [JMLH01 section 2.3, DSS14 section 4]. */
 { "main_splat_scatter", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
@@ -4843,7 +4882,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" },
 
-/* You write ssgi_custom_effect. */
+/* Adds a surfel's effect by ssgi_custom_effect, which you write in desc.shader.fetch. */
 { "main_splat_custom", NULL, __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
@@ -5059,7 +5098,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_stride", NULL, __LINE__ + 1,
-    "int ssgi_stride() { // pixels from a texel to the next one\n"
+    "int ssgi_stride() { // returns the pixels from a gathered texel to the next one\n"
     "#if SSGI_RESOLUTION > SSGI_RESOLUTION_HALF_IN_TURN\n"
     "    return 4;\n"
     "#elif SSGI_RESOLUTION\n"
@@ -5070,7 +5109,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_from_gathered", NULL, __LINE__ + 1,
-    "ivec2 ssgi_from_gathered(ivec2 pixel) { // offset from the gathered pixel of the picture's first 4x4\n"
+    "ivec2 ssgi_from_gathered(ivec2 pixel) { // returns a pixel's offset from the gathered pixel of the first 4x4\n"
     "#if SSGI_RESOLUTION == SSGI_RESOLUTION_QUARTER_IN_TURN\n"
     "    return pixel - ssgi_turn_of_16();\n"
     "#else\n"
@@ -5177,7 +5216,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_onto", "SSGI_ONTO", __LINE__ + 1,
-    "vec4 ssgi_onto(ivec2 pixel, float visibility) { // the colour that is blended onto your picture\n"
+    "vec4 ssgi_onto(ivec2 pixel, float visibility) { // returns the colour that is blended onto your picture\n"
     "    visibility = max(1.0 + u_ssgi_strength * (visibility - 1.0), 0.0);\n"
     "#if SSGI_ONTO == SSGI_ONTO_AMBIENT\n"
     "    return vec4((1.0 - visibility) * texelFetch(t_ssgi_ambient, pixel + u_ssgi_origin, 0).xyz, 0.0);\n"
@@ -5264,7 +5303,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_corner", NULL, __LINE__ + 1,
-    "bool ssgi_corner(ivec2 offset) { // whether a texel is a corner of the filter, which is left out\n"
+    "bool ssgi_corner(ivec2 offset) { // returns whether a texel is a corner of the filter, which is left out\n"
     "#if SSGI_RESOLUTION && SSGI_FILTER_RADIUS > 1\n"
     "    return abs(offset.x) + abs(offset.y) == 2 * SSGI_FILTER_RADIUS;\n"
     "#else\n"
@@ -5430,7 +5469,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_surface_at", NULL, __LINE__ + 1,
-    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 normal) { // pixel: a place in pixels, not only a centre\n"
+    "// Returns your surface as the centre of a filter. pixel: a place in pixels, not only a pixel's centre.\n"
+    "ssgi_blurred ssgi_surface_at(vec2 pixel, float z, vec3 normal) {\n"
     "    ssgi_blurred centre;\n"
     "    z = ssgi_own_depth(z);\n"
     "    vec2 offset = fract(pixel) - 0.5;\n"
@@ -5559,7 +5599,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_APPEARED", NULL, __LINE__ + 1,
     "const float SSGI_APPEARED = 0.25; // a smaller share of changed depths is edges, sampled at other places\n" },
 
-/* Whether all values are numbers up to 1e9, not NaN. The bits are compared, as compilers turn !(a < b) into a >= b. */
+/* Returns whether all values are numbers up to 1e9, not NaN. The bits are compared, as compilers turn !(a < b) into a
+   >= b. */
 { "ssgi_finite", NULL, __LINE__ + 1,
     "bool ssgi_finite(vec4 values) {\n"
     "    return all(lessThan(floatBitsToUint(values) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
@@ -5612,7 +5653,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_own_motion", "SSGI_MOTION", __LINE__ + 1,
-    "vec2 ssgi_own_motion(ivec2 pixel, vec2 was) { // in pixels; was: its place if only the camera moved\n"
+    "vec2 ssgi_own_motion(ivec2 pixel, vec2 was) { // returns motion in pixels; was: place if only the camera moved\n"
     "    vec2 moved = texelFetch(t_ssgi_motion, pixel + u_ssgi_origin, 0).xy;\n"
     "    return (vec2(pixel) + 0.5 - moved) * vec2(u_ssgi_last_size) / vec2(u_ssgi_size) - was;\n"
     "}\n" },
@@ -5709,7 +5750,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_frames", NULL, __LINE__ + 1,
-    "float ssgi_frames(ivec2 pixel, ssgi_last last) { // how many frames are averaged, this one among them\n"
+    "float ssgi_frames(ivec2 pixel, ssgi_last last) { // returns how many frames are averaged, this one among them\n"
     "    float changed = texelFetch(t_ssgi_change_share, pixel / 8 + u_ssgi_target / 8, 0).x;\n"
     "#if SSGI_MOTION\n"
     "    if (last.moves) changed = 0.0; // Most of the change is the surface's own motion.\n"
@@ -5808,16 +5849,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_within", NULL, __LINE__ + 1,
-    "bool ssgi_within(vec2 place, ivec2 size) { // whole numbers are centres of pixels\n"
+    "// Returns whether a place lies in the image; whole numbers are centres of pixels.\n"
+    "bool ssgi_within(vec2 place, ivec2 size) {\n"
     "    return all(greaterThan(place, vec2(-0.5))) && all(lessThan(place, vec2(size) - 0.5));\n"
     "}\n" },
 
 { "ssgi_slack", NULL, __LINE__ + 1,
-    "float ssgi_slack(float z) { // A surface's depth differs by less from its kept depth of the last frame.\n"
+    "float ssgi_slack(float z) { // returns the most by which a kept depth differs from its surface's depth\n"
     "    return u_ssgi_last_footprint * ssgi_footprint(z) + 2.0 * SSGI_KEPT_ROUNDS * z;\n"
     "}\n" },
 
-/* Whether the last frame showed another surface at the place of a point, which is rare. */
+/* Returns whether the last frame showed another surface at the place of a point, which is rare. */
 { "ssgi_depth_differs", NULL, __LINE__ + 1,
     "bool ssgi_depth_differs(vec3 was) {\n"
     "    float z = ssgi_depth_last(ivec2(floor(was.xy)));\n"
@@ -5856,7 +5898,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pixel_was", NULL, __LINE__ + 1,
-    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // where the pixel's point was in the last frame if it rests\n"
+    "vec3 ssgi_pixel_was(ivec2 pixel, float z) { // returns where the pixel's point was in the last frame if it rests\n"
     "    return ssgi_reproject(ssgi_position(vec2(pixel) + 0.5, z));\n"
     "}\n" },
 
@@ -5930,12 +5972,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>rows: inputs and outputs ================================================================================== */
 
-/* A row is declared in a shader if a function that is kept names it, and `when` holds, a condition as in #if lines
-   (NULL: always). Units of textures are fixed, and differ for any two textures of one pass. Locations of outputs and
-   attributes, and places of captures, count up in this order. */
+/* A row of the table of inputs and outputs. It is declared in a shader if a function that is kept names it, and `when`
+   holds, a condition as in #if lines (NULL: always). Units of textures are fixed, and differ for any two textures of
+   one pass. Locations of outputs and attributes, and places of captures, count up in this order. */
 typedef struct ssgi_gl__row {
     const char *when;
-    size_t bytes; /* size of a member; 1: a texture of yours, which desc.input.array makes an array */
+    size_t bytes; /* size of a uniform; 1: a texture of yours, which desc.input.array makes an array */
     ssgi_gl_io io;
 } ssgi_gl__row;
 
@@ -6229,7 +6271,8 @@ typedef struct ssgi_gl__pass {
     SSGI_GL__PRESET_##preset, SSGI_GL__SCALE_##scale, SSGI_GL__DRAW_##draw, SSGI_GL__BLEND_##blend, \
     SSGI_GL__TEXTURE_##texture
 
-/* The main functions of the other stages, by the column draw: without desc.surfel.tessellate, and with it. */
+/* A table of the main functions of all stages except the fragment stage, by a pass's column draw: first without
+   desc.surfel.tessellate, then with it. */
 static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
     { { "main_triangle", NULL, NULL, NULL, NULL }, { "main_triangle", NULL, NULL, NULL, NULL } },
     { { "main_occluder", NULL, NULL, NULL, NULL }, { "main_occluder", NULL, NULL, NULL, NULL } },
@@ -6237,7 +6280,8 @@ static const char *const ssgi_gl__stages[SSGI_GL__DRAWS][2][SSGI_GL_STAGES] = {
     { { "main_buffer", NULL, NULL, NULL, NULL }, { "main_patch", NULL, "main_levels", "main_points", NULL } }
 };
 
-/* The inputs and outputs of a pass are those that its main functions name; >>rows has their rows. */
+/* A table of the passes, one a row. A pass's inputs and outputs are those that its main functions name; >>rows has
+   their rows. */
 static const ssgi_gl__pass ssgi_gl__passes[] = {
     /*                              chain     search  thickness preset  scale   draw     blend    texture */
     { SSGI_GL__PASS(SSAO, "ssao",   FILTERED, POINTS, READ,     SSAO,   CHOSEN, IMAGE,   ONTO,     NEW),
@@ -6303,7 +6347,7 @@ enum {
 typedef char ssgi_gl__enums_are_ints[sizeof(ssgi_gl_pass) == sizeof(int) ? 1 : -1];
 typedef char ssgi_gl__every_pass_has_a_row[sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes == SSGI_GL_PASSES ? 1 : -1];
 
-/* The row of a pass; NULL if there is no such pass. */
+/* Returns a pass's row of ssgi_gl__passes; NULL if there is no such pass. */
 static const ssgi_gl__pass *ssgi_gl__pass_of(int pass)
 {
     for (int i = 0; i < SSGI_GL_PASSES; ++i)
@@ -6319,7 +6363,8 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
     return SSGI_BAD_ARGUMENT;
 }
 
-/* Argument checks of functions with a parameter `why`. */
+/* Macros that check the arguments of a function: if a check fails, the function returns the error and writes the
+   sentence to its parameter `why`. */
 #define SSGI_GL__CHECK(good, sentence) \
     do { \
         if (!(good)) return ssgi_gl__bad(why, sentence); \
@@ -6333,9 +6378,10 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
         if (r_ != SSGI_OK) return r_; \
     } while (0)
 
-/* One row for each field, in the struct's order. #if lines use the same names and words. COUNT: 0 .. most. SWITCH: 0 or
-   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. kind: who sets the field. looks: the condition
-   under which a pass looks at the field (NULL: every one may); otherwise the field is resolved to 0. */
+/* A row for each field of ssgi_gl_desc, in the struct's order. #if lines use the same names and words. COUNT: 0 ..
+   most. SWITCH: 0 or 1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. kind: who sets the field.
+   looks: the condition under which a pass looks at the field (NULL: every one may); otherwise the field is resolved to
+   0. */
 typedef struct ssgi_gl__field {
     ssgi_gl_choice choice;
     const char *looks;
@@ -6461,7 +6507,7 @@ enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields)
 
 typedef struct ssgi_gl__dialect {
     const char *name, *version;
-    const char *head; /* stands behind the version, be it ours or yours */
+    const char *head; /* lines that stand behind the #version line, be it ours or yours */
     const char *set;  /* stands in layout() before a binding; NULL: no layout(binding) */
     int textures;     /* binding of texture unit 0, unless desc.shader.dense */
 } ssgi_gl__dialect;
@@ -6508,7 +6554,7 @@ static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d)
     return ssgi_gl__asks(when, &asked);
 }
 
-/* Choices that do not go together: a condition as in #if lines, and the sentence of the error. */
+/* A table of choices that do not go together: a condition as in #if lines, and the sentence of the error. */
 static const char *const ssgi_gl__refusals[][2] = {
     { "pass == HSAO && search == POINTS",
       "desc.gather.search: hsao is for SSGI_GL_SEARCH_SLICES or _MARCH; ssao samples points" },
@@ -6615,7 +6661,7 @@ typedef struct ssgi_gl__preset {
     } filter;
 } ssgi_gl__preset;
 
-/* Rows stand in the order of the passes' column preset, from SSGI_GL__PRESET_SSAO on. SSGI_GL__PRESET_SEARCH has a row
+/* A table of the presets, by the passes' column preset, from SSGI_GL__PRESET_SSAO on. SSGI_GL__PRESET_SEARCH has a row
    for each value of desc.gather.search, and SSGI_GL__PRESET_LIT the last row, for its slices. In the following, errors
    are means of 14 scenes by seed at 1280x720, relative to no ambient occlusion; times are those of a Radeon RX 6800 at
    1920x1080, as make cost models it. A filter of radius 2 halves the noise of hsao at the same error, and two more
@@ -6837,7 +6883,8 @@ static size_t ssgi_gl__word(const char **s)
     return n;
 }
 
-/* Whether a word is `name`, or its macro, SSGI_NAME. First letters are compared first, as most of them differ. */
+/* Returns whether a word is `name`, or its macro, SSGI_NAME. First letters are compared first, as most of them
+   differ. */
 static int ssgi_gl__is(const char *name, const char *word, size_t length)
 {
     size_t i = 0;
@@ -6856,8 +6903,8 @@ static const ssgi_gl__field *ssgi_gl__field_named(const char *word, size_t lengt
     return NULL;
 }
 
-/* Conditions may name these facts as they name fields. A fact holds if the pass's row has these values in its columns,
-   and if `when` holds, a condition on the desc as given. */
+/* A table of facts of a pass, which conditions may name as they name fields. A fact holds if the pass's row has these
+   values in its columns, and if `when` holds, a condition on the desc as given. */
 static const struct {
     const char *name, *when;
     signed char search, thickness, scale; /* -1: any */
@@ -6890,7 +6937,7 @@ static const struct {
 
 enum { SSGI_GL__FACTS = (int)(sizeof ssgi_gl__facts / sizeof *ssgi_gl__facts) };
 
-/* Returns a fact, 0 or 1; -1: there is none of that name. */
+/* Returns whether the fact of that name holds, 0 or 1; -1: there is no such fact. */
 static int ssgi_gl__fact(const char *word, size_t length, const ssgi_gl_desc *d)
 {
     const ssgi_gl__pass *const row = ssgi_gl__pass_of(d->pass);
@@ -6904,7 +6951,7 @@ static int ssgi_gl__fact(const char *word, size_t length, const ssgi_gl_desc *d)
     return -1;
 }
 
-/* Whether a list of names, separated by blanks, has this name. */
+/* Returns whether a list of names, separated by blanks, has this name. */
 static int ssgi_gl__lists(const char *names, const char *name)
 {
     size_t n;
@@ -6982,9 +7029,9 @@ static int ssgi_gl__any(const char **s, const ssgi_gl__asked *asked)
 /* ---- the lines of a function that a desc keeps */
 
 typedef struct ssgi_gl__reader {
-    const char *at; /* the rest, which is not read yet */
+    const char *at; /* the part of the text that is not read yet */
     const ssgi_gl_desc *d;
-    int line;      /* its number in this header */
+    int line;      /* number of the next line in this header */
     int depth;     /* how many #if are open */
     char state[8]; /* of each open #if: '+' its lines are kept, '-' no branch held yet, '.' a branch has ended */
 } ssgi_gl__reader;
@@ -7029,7 +7076,7 @@ typedef struct ssgi_gl__names {
     unsigned char custom; /* 1: a function of desc.shader.fetch is named */
 } ssgi_gl__names;
 
-/* Whether a name is in the table; `add` puts it there, if it was not. */
+/* Returns whether a name is in the table; `add` puts it there, if it was not. */
 static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add)
 {
     uint32_t h = 2166136261u;
@@ -7068,7 +7115,7 @@ typedef struct ssgi_gl__stage {
     unsigned char fetch;                                    /* 1: needs desc.shader.fetch; 2: and ssgi_decode */
 } ssgi_gl__stage;
 
-/* How many pixels a texel of a pass's targets covers, in x and in y: 1, 2, 4 or 8. d: a resolved desc. */
+/* Returns how many pixels a texel of a pass's targets covers, in x and in y: 1, 2, 4 or 8. d: a resolved desc. */
 static int ssgi_gl__part(const ssgi_gl_desc *d)
 {
     const int scale = ssgi_gl__pass_of(d->pass)->scale;
@@ -7078,8 +7125,8 @@ static int ssgi_gl__part(const ssgi_gl_desc *d)
     return d->gather.resolution >= SSGI_GL_RESOLUTION_QUARTER ? 4 : 2;
 }
 
-/* The uniforms that the main function of a compute stage reads, which ssgi_gl__print_compute prints. A picture of
-   levels needs none: it has its textures for itself, so that stores beyond it are harmless. */
+/* Returns the names of the uniforms that the main function of a compute stage reads, which ssgi_gl__print_compute
+   prints. A picture of levels needs none: it has its textures for itself, so that stores beyond it are harmless. */
 static const char *ssgi_gl__reads_of_compute(const ssgi_gl_desc *d)
 {
     const int levels = ssgi_gl__pass_of(d->pass)->scale == SSGI_GL__SCALE_LEVELS;
@@ -7266,7 +7313,7 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
     va_end(args);
 }
 
-/* Prints the inside of layout() that says where a texture or a block is. set: the dialect's. */
+/* Prints the inside of layout() that gives a texture's or a block's binding. set: ssgi_gl__dialect.set. */
 static void ssgi_gl__print_place(ssgi_gl__text *t, const char *before, const char *set, const ssgi_gl_io *io)
 {
     ssgi_gl__print(t, before);
@@ -7301,7 +7348,7 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
     if (at && !loose) ssgi_gl__print(t, "};\n");
 }
 
-/* Prints the table of one set of points. */
+/* Prints the constant table of one set of points (ssgi_directions) for a shader. */
 static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples, int uniform)
 {
     float k[4 * 64];
@@ -7487,7 +7534,7 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
 {
     ssgi_gl__program p;
-    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the source of all stages */
+    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* hashes the source of all stages by FNV-1a */
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     const ssgi_gl_desc d = ssgi_gl_resolve(desc);
     ssgi_gl__link_all(&p, &d, SSGI_GL_STAGES);
@@ -7632,14 +7679,14 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
 #define SSGI_GL__DEPTH24_STENCIL8 0x88f0u
 #define SSGI_GL__DEPTH_COMPONENT32F 0x8cacu
 #define SSGI_GL__DEPTH32F_STENCIL8 0x8cadu
-#define SSGI_GL__R8I 0x8231u /* integers of one and two channels lie from this to the next */
+#define SSGI_GL__R8I 0x8231u /* formats of integers of one and two channels lie from here to RG32UI */
 #define SSGI_GL__RG32UI 0x823cu
-#define SSGI_GL__RGBA32UI 0x8d70u /* integers of three and four channels, likewise */
+#define SSGI_GL__RGBA32UI 0x8d70u /* formats of integers of three and four channels lie from here to RGB8I */
 #define SSGI_GL__RGB8I 0x8d8fu
 
-/* Formats of targets: by their channels, then by the kind of number. Columns as in ssgi_gl_format. GL's numbers are RED
-   0x1903, RED_INTEGER 0x8d94, RG 0x8227, RG_INTEGER 0x8228, RGBA 0x1908, RGBA_INTEGER 0x8d99; HALF_FLOAT 0x140b, FLOAT
-   0x1406, UNSIGNED_INT 0x1405, UNSIGNED_BYTE 0x1401. */
+/* A table of formats of targets, by their channels, then by the kind of number. Columns as in ssgi_gl_format. GL's
+   numbers are RED 0x1903, RED_INTEGER 0x8d94, RG 0x8227, RG_INTEGER 0x8228, RGBA 0x1908, RGBA_INTEGER 0x8d99;
+   HALF_FLOAT 0x140b, FLOAT 0x1406, UNSIGNED_INT 0x1405, UNSIGNED_BYTE 0x1401. */
 enum { SSGI_GL__R, SSGI_GL__RG, SSGI_GL__RGBA, SSGI_GL__CHANNELS };
 
 enum { SSGI_GL__HALF, SSGI_GL__FLOAT, SSGI_GL__UINT, SSGI_GL__KINDS };
@@ -7655,20 +7702,20 @@ static const ssgi_gl_format ssgi_gl__formats[SSGI_GL__CHANNELS][SSGI_GL__KINDS] 
       { "RGBA32F", 0x8814, 0x1908, 0x1406, 16, 109, "VK_FORMAT_R32G32B32A32_SFLOAT", "rgba32float" },
       { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16, 107, "VK_FORMAT_R32G32B32A32_UINT", "rgba32uint" } }
 };
-/* Formats of one byte a channel, by ssgi_gl_chain.rgba8. */
+/* A table of formats of one byte a channel, by ssgi_gl_chain.rgba8. */
 static const ssgi_gl_format ssgi_gl__bytes[2] = {
     { "R8", 0x8229, 0x1903, 0x1401, 1, 9, "VK_FORMAT_R8_UNORM", "r8unorm" },
     { "RGBA8", 0x8058, 0x1908, 0x1401, 4, 37, "VK_FORMAT_R8G8B8A8_UNORM", "rgba8unorm" }
 };
 
-/* By ssgi_gl_input.meaning: the texture's name without t_ssgi_. */
+/* A table of the names of your textures, without t_ssgi_, by ssgi_gl_input.meaning. */
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
     "depth",  "layers",    "back",   "views",   "normal",      "albedo",     "normal",
     "albedo", "direct",    "noise",  "kernel",  "environment", "irradiance", "lights",
     "shadow", "occluders", "fields", "objects", "motion",      "ambient",    "cap"
 };
 
-/* Your textures that are as large as the picture: a bit for each, by its meaning. */
+/* Sets of your textures: bit ssgi_gl_input.meaning stands for a texture that has to be as large as the picture. */
 enum {
     SSGI_GL__OF_PICTURE = 1 << SSGI_GL_YOUR_DEPTH | 1 << SSGI_GL_YOUR_LAYERS | 1 << SSGI_GL_YOUR_BACK
                         | 1 << SSGI_GL_YOUR_NORMAL | 1 << SSGI_GL_YOUR_ALBEDO | 1 << SSGI_GL_YOUR_DIRECT
@@ -8029,7 +8076,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
     if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, SSGI_GL__FRAME_VPLS);
 }
 
-/* Whether the chain ends with bent normals instead of light. */
+/* Returns whether the chain ends with bent normals instead of light. */
 static int ssgi_gl__directions_alone(const ssgi_gl_chain *chain)
 {
     const ssgi_gl_desc *const d = &chain->desc;
@@ -8074,8 +8121,8 @@ static void ssgi_gl__thickness(ssgi_gl_desc *d)
         d->gather.thickness = SSGI_GL_THICKNESS_WIDTH;
 }
 
-/* Adds one effect of surfels, and of slices for near occluders (desc.surfel.span). light: the texture of the light on
-   visible surfaces; -1: there is none. Returns the texture that holds the effect. */
+/* Adds the steps of one effect of surfels, and of slices for near occluders (desc.surfel.span). light: the texture of
+   the light on visible surfaces; -1: there is none. Returns the texture that holds the effect. */
 static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_effect effect, int light)
 {
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
@@ -8125,7 +8172,8 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, ssgi_gl_eff
     return ssgi_gl__filter(b, &d, lit ? "light" : "ao");
 }
 
-/* Adds surfels and their effect. After the effect LIGHT adds its bounce, as a second effect. */
+/* Adds the steps of a chain of DSS: surfels, then their effect. After the effect LIGHT it adds the bounce, as a second
+   effect. */
 static void ssgi_gl__deep(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
@@ -8143,7 +8191,7 @@ static void ssgi_gl__deep(ssgi_gl__build *b)
     if (chain->desc.light.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
-/* The choices of a chain, in the struct's order. */
+/* A table of the choices of ssgi_gl_chain, in the struct's order. */
 /* clang-format off */
 #define SSGI_GL__CHAIN_CHOICE(name, most, limits) \
     { { #name, #name, "", "chain." #name ": must be " limits, offsetof(ssgi_gl_chain, name), most, \
@@ -8264,7 +8312,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
                                        : SSGI_GL_RESOLUTION_QUARTER_IN_TURN;
     /* The default of bands is 4 in pass blur, and 3 in ssdo. */
     if (own.desc.pass == SSGI_GL_PASS_SSDO && !own.desc.light.bands) own.desc.light.bands = 3;
-    /* The first turn checks all, the second writes. */
+    /* The first turn of the loop checks all steps, the second one writes them. */
     for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {
         memset(&b, 0, sizeof b);
         b.chain = &own;
@@ -8302,7 +8350,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 
 /* ---- methods by name */
 
-/* Methods of one kind stand together, the plain one first. */
+/* A table of the methods. Those of one kind stand together, the plain one first. */
 /* clang-format off */
 static const ssgi_gl_method ssgi_gl__methods[] = {
     { "hsao", "Ambient occlusion by slices: the choice for most.",
@@ -8366,8 +8414,8 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
       SSGI_GL_PASS_AOF, SSGI_GL_PRESET_BALANCED, "" }
 };
 
-/* The word with which the names of a family begin, other words for it, and the sentence on an unknown name that is
-   nearest to one of them. */
+/* A table of families of methods: the word with which a family's names begin, other words for it, and the sentence on
+   an unknown name that is nearest to one of them. */
 #define SSGI_GL__NEAR(names) "name: there is no such method; the nearest are " names
 static const char *const ssgi_gl__families[][2] = {
     { "hsao gtao hbao", SSGI_GL__NEAR("hsao, hsao-fast, hsao-best, hsao-quarter, hsao-history and hsao-march") },
@@ -8398,8 +8446,8 @@ static int ssgi_gl__same(const char *name, const char *word, size_t length)
     return i == length && !name[i];
 }
 
-/* How many characters of a word must be added, removed or changed to make a name of it (Levenshtein's distance). Only
-   the first 24 characters of the word count. */
+/* Returns how many characters of a word must be added, removed or changed to make a name of it (Levenshtein's
+   distance). Only the first 24 characters of the word count. */
 static int ssgi_gl__distance(const char *name, size_t name_length, const char *word, size_t length)
 {
     int row[25];
@@ -8592,9 +8640,9 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
 
 /* ==== >>frame (implementation) ==================================================================================== */
 
-/* Whether the magnitudes of all values are at most `most` [limit: >= 0]; those of NaN and infinity are not. With
-   -ffast-math compilers assume that arguments and sums are finite. So the bits are tested, and they are volatile, since
-   recent versions of clang even assume the result of such a test. */
+/* Returns whether the magnitudes of all values are at most `most` [limit: >= 0]; those of NaN and infinity are not.
+   With -ffast-math compilers assume that arguments and sums are finite. So the bits are tested, and they are volatile,
+   since recent versions of clang even assume the result of such a test. */
 static int ssgi_gl__within(const float *v, int count, float most)
 {
     uint32_t limit, bits;
@@ -8612,8 +8660,8 @@ static int ssgi_gl__above(float x) { return ssgi_gl__within(&x, 1, SSGI_FAR) && 
 
 #define SSGI_GL__MATRIX(m) SSGI_GL__CHECK(ssgi_gl__within(m, 16, SSGI_FAR), #m ": must be finite")
 
-/* Whether a matrix is a rotation and a translation; z, or any axis, may be negated. ssgi_extra_camera has the same
-   tolerance. */
+/* Returns whether a matrix is a rotation and a translation; z, or any axis, may be negated. ssgi_extra_camera has the
+   same tolerance. */
 static int ssgi_gl__rigid(const float m[16])
 {
     for (int i = 0; i < 9; ++i) {
@@ -8741,7 +8789,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     return SSGI_OK;
 }
 
-/* The thickness limits that suit a pass, in radii: the first row whose condition holds. */
+/* A table of thickness limits, in radii: the first row whose condition holds has the limit that suits a pass. */
 static const struct {
     const char *when;
     float limit;
@@ -8783,7 +8831,7 @@ SSGI_DEF int ssgi_gl_steps_of(ssgi_gl_step *steps, int capacity, ssgi_gl_frame *
     return count;
 }
 
-/* The width of a pixel at depth 1, in view units, as ssgi_footprint (>>library) computes it. */
+/* Returns the width of a pixel at depth 1, in view units, as ssgi_footprint (>>library) computes it. */
 static float ssgi_gl__footprint(const float unproject[4])
 {
     const float x = unproject[0] < 0.0f ? -unproject[0] : unproject[0];
@@ -8848,7 +8896,7 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
     return SSGI_OK;
 }
 
-/* Whether at least as many rows follow a sun's row as that row says that there are wider maps of this sun. */
+/* Returns whether at least as many rows follow a sun's row as that row says that there are wider maps of this sun. */
 static int ssgi_gl__maps_follow(const ssgi_gl_light *l, int rows)
 {
     const float wider = l->min_distance;
@@ -8987,7 +9035,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why)
 {
-    enum { bins = 256 }; /* from the largest radiance down to 2^-32 of it */
+    enum { bins = 256 }; /* bins of radiance, from the largest one down to 2^-32 of it */
 
     const double octave = 8.0; /* bins an octave */
     double sum[bins] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
