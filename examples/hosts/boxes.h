@@ -124,7 +124,7 @@ static void boxes_show(int w, int h)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/* Writes the shown picture as a PPM. Returns 0, or 1 after it has printed why not. */
+/* Writes the shown image as a PPM. Returns 0, or 1 after it has printed the reason. */
 static int boxes_save(const char *path, int w, int h)
 {
     unsigned char *pixels = malloc(4 * (size_t)w * (size_t)h);

@@ -31,7 +31,7 @@ static const char lit[] =
     "void main() {\n"
     "  float depth = ssgi_fragment_depth(gl_FragCoord.xy, gl_FragCoord.z);\n"
     "  float visibility = ssgi_visibility_at(gl_FragCoord.xy, depth, normal);\n"
-    "  vec3 light = vec3(sky * visibility);\n" /* It only dims ambient light. */
+    "  vec3 light = vec3(sky * visibility);\n" /* Visibility only dims the ambient light. */
     "  light += sun * vec3(1, 0.85, 0.65) * max(dot(normal, vec3(-0.6, 0.64, 0.48)), 0.0);\n"
     "  picture = vec4(mix(vec3(sky), colour.rgb * light, exp2(-fog * depth)), colour.a);\n"
     "}\n";
@@ -43,7 +43,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint gather[MOST], framebuffer[MOST], texture[MOST], block;
 
-/* Gets the steps without the filter and makes their textures; writes the functions that read the result. */
+/* Gets the steps without the filter and makes their textures; writes functions that read the result. NULL: no error. */
 static const char *occlusion(char *functions, size_t size, int width, int height)
 {
     static char text[2][32768];

@@ -56,7 +56,7 @@ struct Occlusion {
         glGenBuffers(1, &block);
         glGenTextures(STEPS, texture);
         for (int i = 0; i < steps; ++i) {
-            const ssgi_gl_output &to = step[i].output[0];       /* one each; the last step's is the picture */
+            const ssgi_gl_output &to = step[i].output[0];       /* one output each; the last step's is the image */
             for (int s = 0; s < 2; ++s) ssgi_gl_emit(text[s], sizeof text[s], &step[i].desc, s);
             glUseProgram(program[i] = program_of(text[SSGI_GL_STAGE_VERTEX], text[SSGI_GL_STAGE_FRAGMENT]));
             for (int k = 0; k < step[i].inputs; ++k)
@@ -100,7 +100,7 @@ struct Occlusion {
 };
 /* ================================================================================================================== */
 
-struct After : osg::Camera::DrawCallback {  /* after the engine has drawn its picture */
+struct After : osg::Camera::DrawCallback {  /* called after the engine has drawn its image */
     mutable Occlusion occlusion;
     mutable GLuint depth = 0;
     float radius = 1;
@@ -124,7 +124,7 @@ struct After : osg::Camera::DrawCallback {  /* after the engine has drawn its pi
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         occlusion.draw(depth, projection.ptr(), radius);
         save("-after.png");
-        glClearColor(1, 1, 1, 1);           /* again onto white: the occlusion alone */
+        glClearColor(1, 1, 1, 1);           /* draws once more onto white, to see the occlusion alone */
         glClear(GL_COLOR_BUFFER_BIT);
         occlusion.draw(depth, projection.ptr(), radius);
         save("-ao.png");

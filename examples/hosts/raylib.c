@@ -50,7 +50,7 @@ static const char *resize(GLuint picture, int width, int height)
         glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     }
     for (int i = 0; i < steps; ++i) {
-        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one each; texture -1: the picture */
+        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one output each; texture -1: the image */
         const GLuint into = to->texture < 0 ? picture : texture[to->texture];
         glBindTexture(GL_TEXTURE_2D, into);
         if (to->texture >= 0) {
@@ -86,7 +86,7 @@ static const char *occlude(GLuint depth, Matrix projection, float radius, int wi
     glBindVertexArray(array);
     glDisable(GL_DEPTH_TEST), glDisable(GL_CULL_FACE), glDisable(GL_BLEND);
     for (const ssgi_gl_step *s = step; s < step + steps; ++s) {
-        for (const ssgi_gl_input *in = s->input; in < s->input + s->inputs; ++in) { /* only depth is raylib's */
+        for (const ssgi_gl_input *in = s->input; in < s->input + s->inputs; ++in) { /* raylib gives only depth */
             glActiveTexture(GL_TEXTURE0 + (GLenum)in->unit);
             glBindTexture(in->target, in->texture < 0 ? depth : texture[in->texture]);
         }

@@ -31,7 +31,7 @@ static const char *resize(int width, int height)
     if (steps > MOST) return "the chain has more steps than SSGI_GL_MAX_STEPS";
     if (!block) glGenBuffers(1, &block), glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     for (int i = 0; i < steps; ++i) {
-        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one each; texture -1: the picture */
+        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one output each; texture -1: the image */
         const GLuint into = to->texture < 0 ? boxes_texture[BOXES_PICTURE] : texture[to->texture];
         glBindTexture(GL_TEXTURE_2D, into);
         if (to->texture >= 0)

@@ -36,7 +36,7 @@ static void save(vtkRenderWindow *window, const std::string &path)
     file->Write();
 }
 
-/* Milliseconds of a frame: the median of nine frames. */
+/* Returns the milliseconds of a frame: the median of nine frames. */
 static double timed(vtkRenderWindow *window)
 {
     std::vector<double> ms;
@@ -85,7 +85,7 @@ int main(int argc, char **argv)
     ssgi->SetDelegatePass(steps);
     ssgi->SetRadius(radius);
     renderer->SetPass(ssgi);
-    /* First at another size, so that the pass makes its textures twice. */
+    /* draws first at another size, so that the pass makes its textures twice */
     window->SetSize(800, 450);
     window->Render();
     window->SetSize(960, 540);

@@ -47,7 +47,7 @@ public:
     }
     vtkGetMacro(Radius, double);
     vtkSetMacro(Radius, double);
-    vtkGetMacro(Strength, double);      /* 1: the computed visibility; more exaggerates it */
+    vtkGetMacro(Strength, double);      /* factor of 1 - visibility; above 1 it exaggerates the occlusion */
     vtkSetMacro(Strength, double);
     vtkGetMacro(Preset, int);
     void SetPreset(int preset)          /* SSGI_GL_PRESET_FAST, _BALANCED, _BEST */
@@ -205,7 +205,7 @@ private:
             for (int i = 0; i < 3; ++i) glUniform1i(glGetUniformLocation(Combined, names[i]), i);
         }
         for (int i = 0; i < Steps; ++i) {
-            const ssgi_gl_output &to = Step[i].output[0];       /* hsao's steps have one each */
+            const ssgi_gl_output &to = Step[i].output[0];       /* a step of hsao has one output */
             glBindTexture(GL_TEXTURE_2D, Texture[to.texture]);
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), Step[i].width, Step[i].height, 0,
                          to.format->format, to.format->type, nullptr);

@@ -1,6 +1,6 @@
 /* vulkan_engine.hpp - the engine of vulkan.cpp, without ssgi: Vulkan 1.3 without a window, images, buffers and
-   programs, each as simple as possible; by the kit, a G-buffer and the output of pictures. Every image always has
-   layout GENERAL, and each submit waits. */
+   programs, each as simple as possible. The kit makes its G-buffer and writes its images. Every image always has layout
+   GENERAL, and each submit waits. */
 #ifndef VULKAN_ENGINE_HPP
 #define VULKAN_ENGINE_HPP
 
@@ -29,7 +29,7 @@ static inline std::string file_of(const std::string &path)
     return data;
 }
 
-struct image {                                              /* slice: views to draw into one slice */
+struct image {                                              /* slice: views of one layer each, to draw into */
     vk::raii::Image image = nullptr;
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::ImageView view = nullptr;
@@ -46,7 +46,7 @@ struct buffer {                                             /* always mapped */
 
 struct program {
     std::string vertex, fragment;                           /* files of SPIR-V */
-    const vk::SpecializationInfo *constants;                /* NULL: those in the shaders */
+    const vk::SpecializationInfo *constants;          /* values of the shaders' constants; NULL: those in the shaders */
     uint32_t attributes;                                    /* vec4s an instance, consecutive */
     bool blends;
     vk::BlendOp equation;
@@ -73,7 +73,7 @@ struct gpu {
     vk::raii::Queue queue = nullptr;
     vk::raii::CommandPool pool = nullptr;
     vk::raii::CommandBuffer commands = nullptr;
-    /* for all programs: blocks from 0 on, then textures, in set `set`; the sets before it are empty */
+    /* the same for all programs, in set `set`: blocks from binding 0 on, then textures; the sets before it are empty */
     vk::raii::DescriptorSetLayout bindings = nullptr, nothing = nullptr;
     vk::raii::PipelineLayout layout = nullptr;
     uint32_t set;
@@ -156,7 +156,7 @@ struct gpu {
         return b;
     }
 
-    /* An image, all 0. layers 0: 2D; else an array of that many layers, perhaps one. */
+    /* Returns an image of zeros. layers 0: 2D; else an array of that many layers, perhaps one. */
     image image_of(vk::Format format, uint32_t width, uint32_t height, uint32_t layers)
     {
         using use = vk::ImageUsageFlagBits;
@@ -200,7 +200,7 @@ struct gpu {
         return { device, { {}, code.size(), (const uint32_t *)(const void *)code.data() } };
     }
 
-    /* A pipeline that draws triangles over the whole viewport. */
+    /* Returns a pipeline that draws triangles over the whole viewport. */
     vk::raii::Pipeline pipeline_of(const program &p)
     {
         const auto vertex = module_of(p.vertex), fragment = module_of(p.fragment);
@@ -245,7 +245,7 @@ struct saved_frame {
     saved_frame(const saved_frame &) = delete;
 };
 
-/* An image of a saved frame's channels ("": 0), the last row first, as in GL. */
+/* Returns an image with channels of a saved frame ("": 0), the last row first, as in GL. */
 static inline image image_of(gpu &g, const kit_image &frame, vk::Format format, const std::vector<const char *> &names)
 {
     const size_t width = (size_t)frame.width, pixels = width * (size_t)frame.height, n = names.size();
@@ -261,7 +261,7 @@ static inline image image_of(gpu &g, const kit_image &frame, vk::Format format, 
     return i;
 }
 
-/* Writes an image of one channel, bytes or floats, to a .png or .exr; the inverse. */
+/* Writes an image of one channel, bytes or floats, to a .png or .exr, in which the image's first row is the last. */
 static inline void write(gpu &g, image &i, const std::string &path)
 {
     const size_t width = i.width, pixels = width * i.height;

@@ -1,4 +1,4 @@
-/* load.c - opens scenes and their light by the kit; they replace the old ones only if all could be read. */
+/* load.c - opens scenes and lights by the kit. They replace the present ones only if all could be read. */
 #include "viewer.h"
 #include <math.h>
 #include <stdio.h>
@@ -71,7 +71,7 @@ int env_open(viewer *v, const char *name)
     return 0;
 }
 
-/* Sets a scene's own light, or a sky with a sun. */
+/* Sets a scene's own light or, if it has none, a sky with a sun. */
 static int light_of(viewer *v, const kit_scene *scene)
 {
     const int own = scene->env || scene->lights;
