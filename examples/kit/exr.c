@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* OpenEXR's first error message; later ones are consequences of it. It is thread-local, because OpenEXR holds a lock
-   while it reports an error, and a query of the context may wait for that lock. */
+   while it reports an error, and a query of the EXR context may wait for that lock. */
 static _Thread_local char exr_complaint[256];
 
 static void exr_complain(exr_const_context_t context, exr_result_t code, const char *message)
@@ -32,7 +32,7 @@ static int exr_fail(kit_error *err, const char *path, exr_result_t result)
 
 enum { EXR_PARTS = 64 };
 
-/* The parts that are read: the flat parts of the first view; and a window that holds all of theirs. */
+/* The parts of an EXR that are read: the flat parts of the first view; and a window that holds all of theirs. */
 typedef struct exr_parts {
     int              count, index[EXR_PARTS];
     exr_attr_box2i_t window;
@@ -67,8 +67,8 @@ static exr_result_t exr_find_parts(exr_parts *p, exr_const_context_t context)
     return result;
 }
 
-/* Reads one chunk (some scanlines or a tile) straight into the planar picture, from the part's first channel on;
-   origin: the part's top-left pixel in the picture. */
+/* Reads one chunk (some scanlines or a tile) straight into the planar image, from the part's first channel on; origin:
+   the part's top-left pixel in the image. */
 static exr_result_t exr_read_chunk_into(exr_const_context_t context, int part, exr_decode_pipeline_t *decode,
                                         const exr_chunk_info_t *chunk, int x, int y, kit_image *image)
 {
@@ -91,7 +91,7 @@ static exr_result_t exr_read_chunk_into(exr_const_context_t context, int part, e
     return result == EXR_ERR_SUCCESS ? exr_decoding_run(context, part, decode) : result;
 }
 
-/* all: the picture's window, which contains the part's. */
+/* Reads a part's pixels. all: the image's window, which contains the part's. */
 static exr_result_t exr_read_pixels(exr_const_context_t context, int part, const exr_attr_box2i_t *all,
                                     kit_image *image)
 {
@@ -119,7 +119,7 @@ static exr_result_t exr_read_pixels(exr_const_context_t context, int part, const
     return result;
 }
 
-/* The least size of a file for the pixels that a part's header claims, found before anything is allocated for them
+/* Returns the least size of a file for the pixels that a part's header claims, before memory is allocated for them
    (OpenEXR checks only that the table of chunks fits, its #1161). Each chunk has an entry in the table, and a byte
    holds at most a number of pixel bytes that depends on the compression: deflate (ZIP, ZIPS) makes one of 1032; RLE two
    of 128; PIZ repeats 255 halves in 9 bits; PXR24 deflates three bytes of a float; B44A makes 3 of 32. */
@@ -213,7 +213,7 @@ static int exr_read_parts(kit_image *out, const char *path, exr_const_context_t 
              : exr_fail(err, path, result);
 }
 
-/* A file whose header has been read. */
+/* An EXR file whose header has been read. */
 typedef struct exr_reader { size_t size; exr_context_t context; } exr_reader;
 
 static void exr_close(exr_reader *r)
@@ -221,7 +221,7 @@ static void exr_close(exr_reader *r)
     if (r->context) exr_finish(&r->context);
 }
 
-/* The caller must call exr_close(), also after a failure. */
+/* Opens an EXR and reads its header. The caller must call exr_close(), also after a failure. */
 static int exr_open(exr_reader *r, const char *path, kit_error *err)
 {
     memset(r, 0, sizeof *r);
@@ -248,7 +248,7 @@ static const char MATRIX[] = "worldToCamera", FAR_MATRIX[] = "ssgi.worldToCamera
                   WIDTH[] = "screenWindowWidth", CENTRE[] = "screenWindowCenter",
                   ORTHO_HEIGHT[] = "ssgi.orthoHeight", RADIUS[] = "ssgi.radius";
 
-/* Finds an attribute. 1: found, 0: missing, -1: it has another type. */
+/* Finds an attribute of the header. Returns 1: found, 0: missing, -1: it has another type. */
 static int exr_find(const exr_attribute_t **found, const exr_reader *r, const char *name, exr_attribute_type_t type,
                     const char *path, kit_error *err)
 {
@@ -256,7 +256,7 @@ static int exr_find(const exr_attribute_t **found, const exr_reader *r, const ch
     return (*found)->type == type ? 1 : kit_fail(err, "%s: %s: is of type %s", path, name, (*found)->type_name);
 }
 
-/* Reads an attribute that must be in [least, most]. Returns as exr_find. */
+/* Reads a number of the header, which must be in [least, most]. Returns as exr_find does. */
 static int exr_number(float *out, const exr_reader *r, const char *name, double least, double most, const char *path,
                       kit_error *err)
 {
@@ -269,7 +269,7 @@ static int exr_number(float *out, const exr_reader *r, const char *name, double 
     return 1;
 }
 
-/* Whether m is a rotation and a translation. Its columns are the rotation's rows, because m is for row vectors. */
+/* Returns whether m is a rotation and a translation. m is for row vectors: its columns are the rotation's rows. */
 static int exr_rigid(const float m[16])
 {
     double row[3][3], across[3];
@@ -297,7 +297,7 @@ static void exr_place_at_eye(kit_header *h, const double place[3])
     }
 }
 
-/* Reads worldToCamera. 1: found, 0: missing, -1: an error. */
+/* Reads worldToCamera. Returns 1: found, 0: missing, -1: an error. */
 static int exr_place(kit_header *h, const exr_reader *r, const char *path, kit_error *err)
 {
     const exr_attribute_t *found;

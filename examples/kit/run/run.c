@@ -46,7 +46,7 @@ static void add_kernel(kit_making *m)
     free(kernel);
 }
 
-/* A noise tile in which each of the sets occurs equally often; without sets, 16 rotations. */
+/* Makes a noise tile in which each of the sets occurs equally often or, without sets, one of 16 rotations. */
 static void add_noise(kit_making *m)
 {
     static float tile[4 * 64 * 64];
@@ -57,7 +57,7 @@ static void add_noise(kit_making *m)
     m->run->noise = kit_keep(m->run, kit_texture(size, size, GL_RGBA32F, tile));
 }
 
-/* The projection of a camera that looks along +z, and normals with z negated. */
+/* Changes the projection to that of a camera that looks along +z, and makes normals with z negated. */
 static int turn_left_handed(kit_making *m, const kit_gbuffer *g, float projection[16])
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -73,7 +73,7 @@ static int turn_left_handed(kit_making *m, const kit_gbuffer *g, float projectio
     return 0;
 }
 
-/* Adds all passes on a G-buffer, the caller's or a wider one. */
+/* Adds all passes on a G-buffer, which is the caller's or a wider one with a margin. */
 static int open_on(kit_making *m, kit_gbuffer *g, float radius)
 {
     kit_run *run = m->run;
@@ -119,7 +119,7 @@ int kit_run_open_wide(kit_run *run, kit_gbuffer *g, const kit_method *method, fl
     static const kit_lighting dark;
     const kit_world whole = { world ? world->scene : NULL, world && world->lighting ? world->lighting : &dark };
     kit_making m = { .run = run, .method = method, .set = &method->set, .world = &whole, .err = err };
-    memset(run, 0, sizeof *run);           /* run is filled in place, because passes point to its extra cameras */
+    memset(run, 0, sizeof *run);       /* run is filled in place, because passes point to its frames of extra cameras */
     const int failed = kit_add_margin(&m, &g, radius, margin) || open_on(&m, g, radius);
     if (failed) kit_run_close(run);
     return failed ? -1 : 0;

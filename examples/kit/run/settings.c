@@ -6,22 +6,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>settings: a row each, with the field of the desc or the frame that its value sets ------------------------- */
+/* ---- >>settings: a table of rows, each with the field of the desc or the frame that it sets --------------- */
 
 enum {
     GATHER = 1,
-    LIGHTS = 2 /* fields of the descs of gathers, and of lights */,
+    LIGHTS = 2 /* sets a field of the descs of gathers, or of lights */,
     FRAME = 4,
-    SCALED = 8 /* a member of the frame; times the radius */,
-    PLAN = 0 /* the method's code reads it */
+    SCALED = 8 /* sets a member of the frame; or sets it times the radius */,
+    PLAN = 0 /* sets nothing: the method's code reads it */
 };
 
-/* member: of kit_settings; its type decides whether the setting takes whole numbers only */
+/* member: its offset in kit_settings; the member's type decides whether the setting takes whole numbers only */
 typedef struct row { kit_setting setting; size_t member; int where; size_t offset; } row;
 #define DESC(field)  offsetof(ssgi_gl_desc, field)
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
 #define WHOLE(member) _Generic(((const kit_settings *)0)->member, int: 1, double: 0)
-/* choices: words, or NULL if the setting is a number */
+/* choices: its words, or NULL if the setting is a number */
 /* A row with the words and limits of a field of ssgi_gl_desc. COUNT: refuses 0, the library's default, so that costs
    can be computed from the count. */
 #define OF(name, key, field, where, value, about)    ROW(name, key, about, NULL, value, 0, 0, where, DESC(field))
@@ -209,14 +209,14 @@ ROW(unit_row, unit, "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, PLAN, 
 
 enum { MAX_SETTINGS = 48 };
 
-/* The settings of one kind of methods. search: slices, points or march; for surfels, their effect. bent: bent
+/* The settings of a kind of methods. search: slices, points or march; for surfels, their effect. bent: if 1, for bent
    normals. */
 typedef struct plan {
     int         pass, search, bent;
     const row  *rows[MAX_SETTINGS];
     int         count;
 } plan;
-/* Rows and their number. More rows than a method has room for do not compile. */
+/* Makes the list of a kind's rows and their number. More rows than MAX_SETTINGS do not compile. */
 #define SETTINGS(...) { __VA_ARGS__ }, COUNTED(sizeof((const row *const[]){ __VA_ARGS__ }) / sizeof(const row *))
 #define COUNTED(n) \
     ((int)(n) + 0 * (int)sizeof(struct { \
@@ -294,7 +294,7 @@ static const plan *plan_of(const ssgi_gl_chain *chain)
     return &plans[k];
 }
 
-/* A row's setting; if it sets a field of the desc, with that field's words and limits. */
+/* Returns a row's setting; if it sets a field of the desc, with that field's words and limits. */
 static kit_setting setting_of(const row *w)
 {
     kit_setting s = w->setting;
@@ -328,7 +328,7 @@ int kit_method_setting(kit_setting *setting, const kit_method *method, int i)
     return 1;
 }
 
-/* The initial value of a setting: that of the method's chain if it is not 0; that of the frame for a radius of 1; or
+/* Returns a setting's initial value: that of the method's chain if it is not 0; that of the frame for a radius of 1; or
    else the row's own. */
 static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl_frame *frame)
 {
@@ -344,7 +344,7 @@ static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl
     return value ? value : w->setting.value;
 }
 
-/* The chain of a method by its name, and its frame for a radius of 1. */
+/* Makes the chain of a method by its name, and its frame for a radius of 1. */
 static ssgi_result library_of(ssgi_gl_chain *chain, ssgi_gl_frame *frame, const char *name, const char **why)
 {
     static const float projection[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0 };
@@ -394,8 +394,8 @@ static const char *const renamed[][2] = { { "thin", "thickness" },     { "hard",
                                           { "front", "near_depth" },   { "nearest", "distance_clamp" },
                                           { "steepest", "max_slope" }, { "casters", "occluders" } };
 
-/* The number of a word among a setting's words, in any case and with - for _; or a number as it stands. -1: no such
-   word. */
+/* Returns the number of a word among a setting's words, in any case and with - for _; or a number as it stands. -1: no
+   such word. */
 static int choice_of(const char *words, const char *value)
 {
     int k = 0;

@@ -1,4 +1,4 @@
-/* scenes.c - the built-in scenes. Declared in kit_build.h. */
+/* scenes.c - a table of the built-in scenes, and scenes of a few shapes. Declared in kit_build.h. */
 #include "kit/kit_build.h"
 
 /* ---- >>shapes of closed form; big planes are cut finer near the origin, so that they interpolate precisely --- */

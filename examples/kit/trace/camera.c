@@ -1,12 +1,12 @@
-/* camera.c - cameras: axes, matrices, planes, rays through pixels. Declared in kit.h and kit_trace.h. */
+/* camera.c - computes axes, matrices, planes, and rays through pixels of cameras. Declared in kit.h and kit_trace.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- cameras ------------------------------------------------------------------------------------------------ */
 
-/* Rows of the rotation: right, up, backward. An up along the line of sight is replaced by the axis farthest from it; an
-   eye at the target looks along -z. */
+/* The axes are rows of the rotation. An up along the line of sight is replaced by the axis farthest from it; an eye at
+   the target looks along -z. */
 void kit_camera_axes(const kit_camera *camera, double axes[3][3])
 {
     double *right = axes[0], *up = axes[1], *back = axes[2], wish[3];
@@ -63,7 +63,7 @@ void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
         nearest = fmin(nearest, depth);
         farthest = fmax(farthest, depth);
     }
-    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing is in front of the camera */
+    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;  /* nothing is in front of the camera, so any planes do */
     if (flat) {
         const double spare = 0.01 * (farthest - fmin(fmax(nearest, 0), 0.9 * farthest));
         if (!(camera->zfar > 0)) camera->zfar = (float)(fmax(farthest, (double)camera->znear) + spare);

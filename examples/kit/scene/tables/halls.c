@@ -1,8 +1,8 @@
-/* halls.c - rows: halls of columns, arches, galleries, beams. The columns are explained in kit_seed.h. */
+/* halls.c - a table of rows: halls of columns, arches, galleries, beams. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */
-/* W: half of the nave; A: a side aisle's width; H: its height; L: half of its length; bay: between columns */
+/* W: half of the nave's width; A: a side aisle's width; H: height; L: half of the length; bay: between columns */
 const kit_row kit_rows_halls[] = {
 { "halls", THING, "",
   "W=2.2~4.5 A=1.6~3 H=4.5~9 L=7~14 bay=2~3.6 kind=0|0|1|1|2|3 r=.2~.42 cap=H*.5~H*.66 style=0|1|2", "", "" },

@@ -1,4 +1,4 @@
-/* scans.c - rows: figures by scanners and sculptors, and their surroundings. The columns are explained in
+/* scans.c - a table of rows: figures by scanners and sculptors, and their surroundings. The columns are explained in
    kit_seed.h. */
 #include "kit/kit_seed.h"
 
