@@ -60,7 +60,7 @@ static const char *occlusion(char *functions, size_t size, int width, int height
         glTexImage2D(GL_TEXTURE_2D, 0, (GLint)to->format->internal, step[i].width, step[i].height, 0,
                      to->format->format, to->format->type, NULL);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* or integer textures read 0 */
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* linear filters read integers as 0 */
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[to->texture], 0);
         for (int k = 0; k < 2; ++k) ssgi_gl_emit(text[k], sizeof text[k], &step[i].desc, k);
@@ -72,7 +72,7 @@ static const char *occlusion(char *functions, size_t size, int width, int height
     return ssgi_gl_read(functions, size, &step[steps - 1].desc) < size ? NULL : "the functions need more room";
 }
 
-/* Draws the occlusion; called every frame after the first pass. */
+/* Draws the occlusion; call it every frame after the first pass. Returns an error message or NULL. */
 static const char *occlude(const float projection[16], float radius, int width, int height)
 {
     ssgi_view view;
@@ -120,7 +120,7 @@ static void draw_sheet(GLuint program, const float corner[9])
 
 int main(int argc, char **argv)
 {
-    /* The pane stands on the slab in front of some boxes, in view space. */
+    /* in view space: the pane stands on the slab in front of some boxes */
     static const float pane[9] = { -2, -2.1f, -7, 2, -2.1f, -7, -2, 0.3f, -5.2f },
                        sign[9] = { 0.05f, -0.08f, -0.2f, 0.1f, -0.08f, -0.2f, 0.05f, -0.04f, -0.2f };
     static char functions[32768];
@@ -152,7 +152,7 @@ int main(int argc, char **argv)
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, boxes_texture[BOXES_PICTURE], 0);
     for (; !glfwWindowShouldClose(window); glfwSwapBuffers(window), glfwPollEvents()) {
         const float angle = file ? 0.0f : 0.3f * (float)glfwGetTime();
-        boxes_draw(angle, sun, sky, WIDTH, HEIGHT); /* depth and normals of all occluders */
+        boxes_draw(angle, sun, sky, WIDTH, HEIGHT); /* draws depth and normals of all occluders */
         if ((why = occlude(boxes_projection, 1, WIDTH, HEIGHT))) return fprintf(stderr, "forward: %s\n", why), 1;
         glActiveTexture(GL_TEXTURE9), glBindTexture(GL_TEXTURE_2D, texture[step[steps - 1].output[0].texture]);
         glBindFramebuffer(GL_FRAMEBUFFER, samples), glViewport(0, 0, WIDTH, HEIGHT), glEnable(GL_DEPTH_TEST);

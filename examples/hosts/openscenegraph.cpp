@@ -67,7 +67,7 @@ struct Occlusion {
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), step[i].width, step[i].height, 0,
                          to.format->format, to.format->type, nullptr);
             for (GLenum filter : { GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER })
-                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* else integer textures read 0 */
+                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* otherwise integer textures read 0 */
             glGenFramebuffers(1, &framebuffer[i]);
             glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[to.texture], 0);
@@ -129,7 +129,7 @@ struct After : osg::Camera::DrawCallback {  /* called after the engine has drawn
         occlusion.draw(depth, projection.ptr(), radius);
         save("-ao.png");
         glUseProgram(0);
-        glPopAttrib();                      /* (1) the engine caches GL's state: restore it, and tell it so */
+        glPopAttrib();                      /* (1) OpenSceneGraph caches GL's state: restore it, then tell it so */
         info.getState()->dirtyAllModes();
         info.getState()->dirtyAllAttributes();
     }
@@ -142,7 +142,7 @@ int main(int argc, char **argv)
         return std::puts("usage: openscenegraph MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT"), 2;
     osgViewer::Viewer viewer;
     osg::ref_ptr<After> after = new After;
-    viewer.setSceneData(osgDB::readNodeFile(argv[1], new osgDB::Options("noRotation")));  /* (2) else y up is turned */
+    viewer.setSceneData(osgDB::readNodeFile(argv[1], new osgDB::Options("noRotation")));  /* (2) else it turns y up */
     if (!viewer.getSceneData()) return std::printf("openscenegraph: %s: cannot be read\n", argv[1]), 2;
     viewer.setUpViewInWindow(0, 0, W, H);
     viewer.getLight()->setAmbient(osg::Vec4(0.5f, 0.5f, 0.5f, 1));

@@ -94,7 +94,7 @@ static const char *occlude(GLuint depth, Matrix projection, float radius, int wi
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[s - step]), glViewport(0, 0, s->width, s->height);
         glUseProgram(program[s - step]), glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances);
     }
-    /* (4) rlgl caches GL's state, so it must be restored */
+    /* (4) rlgl caches GL's state, so GL's is restored */
     glBindVertexArray(0), glUseProgram(0), glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glActiveTexture(GL_TEXTURE0), glEnable(GL_BLEND), glEnable(GL_CULL_FACE);
     glBlendEquation(GL_FUNC_ADD), glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

@@ -104,7 +104,7 @@ int main(int argc, char **argv)
     save(window, out + "-own.png");
     std::printf("%.0f ms a frame; hsao-fast %.0f, hsao %.0f, vtkSSAOPass %.0f\n", plain, fast, ours, theirs);
 
-    /* A translucent pane, drawn after occlusion in front of everything: half green over the picture. */
+    /* adds a translucent pane in front of everything, drawn after occlusion: half green over the image */
     vtkNew<vtkPlaneSource> plane;
     vtkNew<vtkOpaquePass> opaque;
     plane->SetOrigin(-1.5, 0.5, 3), plane->SetPoint1(1.5, 0.5, 3), plane->SetPoint2(-1.5, 3.5, 3);

@@ -13,7 +13,7 @@ extern "C" {
 #include "ssgi_gl.h"
 }
 
-/* Throws why unless good. why is a reference, because the call that computes good sets it. */
+/* Throws why unless good is true. why is a reference, because the call that computes good sets it. */
 static inline void must(bool good, const char *const &why)
 {
     if (!good) throw std::runtime_error(why);
@@ -245,7 +245,7 @@ struct saved_frame {
     saved_frame(const saved_frame &) = delete;
 };
 
-/* Returns an image with channels of a saved frame ("": 0), the last row first, as in GL. */
+/* Uploads channels of a saved frame as an image; the name "" gives zeros. The last row is first, as in GL. */
 static inline image image_of(gpu &g, const kit_image &frame, vk::Format format, const std::vector<const char *> &names)
 {
     const size_t width = (size_t)frame.width, pixels = width * (size_t)frame.height, n = names.size();

@@ -139,15 +139,15 @@ static double exr_least_size(exr_const_context_t context, int part)
         || exr_get_chunk_count(context, part, &chunks) != EXR_ERR_SUCCESS
         || exr_get_channels(context, part, &list) != EXR_ERR_SUCCESS
         || exr_get_data_window(context, part, &window) != EXR_ERR_SUCCESS) return INFINITY;
-    if ((size_t)compression >= sizeof most / sizeof *most) return 0;           /* OpenEXR reports it as unknown */
+    if ((size_t)compression >= sizeof most / sizeof *most) return 0;          /* OpenEXR reports unknown compressions */
     for (int c = 0; c < list->num_channels; ++c)
         bytes += (list->entries[c].pixel_type == EXR_PIXEL_HALF ? 2 : 4) * ((double)window.max.x - window.min.x + 1)
                * ((double)window.max.y - window.min.y + 1);
     return bytes / most[compression] + 8.0 * chunks;
 }
 
-/* Appends the names of a part's channels. A name that earlier parts have becomes PART.NAME: some renderers write parts
-   such as "albedo" with R, G and B. */
+/* Adds the names of a part's channels to names. A name that earlier parts have becomes PART.NAME: some renderers write
+   parts such as "albedo" with R, G and B. */
 static int exr_name_channels(kit_image *names, exr_const_context_t context, int part, const char *path, kit_error *err)
 {
     const exr_attr_chlist_t *list = NULL;
@@ -225,7 +225,7 @@ static void exr_close(exr_reader *r)
 static int exr_open(exr_reader *r, const char *path, kit_error *err)
 {
     memset(r, 0, sizeof *r);
-    FILE *const file = kit_file_open(&r->size, path, err);     /* no folder or pipe: OpenEXR would block */
+    FILE *const file = kit_file_open(&r->size, path, err);     /* refuses folders and pipes: OpenEXR would block */
     if (!file) return -1;
     fclose(file);
     exr_context_initializer_t start = exr_initializer();
@@ -281,7 +281,7 @@ static int exr_rigid(const float m[16])
     for (int i = 0; i < 4; ++i)
         if (!(fabs((double)m[4 * i + 3] - (i == 3)) < 1e-6)) return 0;
     kit_cross(row[0], row[1], across);
-    return kit_dot(across, row[2]) < 0;            /* right-handed world, left-handed camera */
+    return kit_dot(across, row[2]) < 0;            /* the world is right-handed, the file's camera left-handed */
 }
 
 /* Makes the eye the origin. The eye is found by solving a system: the rotation is rounded to floats, so its transpose
@@ -370,7 +370,7 @@ int kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *
         failed = is < 0;
         h.has |= is > 0 ? KIT_HEADER_PLACE : 0;
     }
-    /* every EXR has a screen window: it counts only with a matrix or a height */
+    /* every EXR has a screen window: it counts only together with a matrix or a height */
     if (!failed && wanted & KIT_HEADER_WINDOW
         && (exr_get_attribute_by_name(r.context, 0, MATRIX, &none) == EXR_ERR_SUCCESS
             || exr_get_attribute_by_name(r.context, 0, ORTHO_HEIGHT, &none) == EXR_ERR_SUCCESS))
@@ -442,8 +442,8 @@ static int64_t exr_memory_write(exr_const_context_t context, void *user, const v
 
 typedef struct exr_packer { exr_result_t (*compress)(exr_encode_pipeline_t *encode); } exr_packer;
 
-/* A chunk with as many bytes as its pixels is read as uncompressed, so it must be. But OpenEXR writes zlib's output
-   even if it has exactly that size (its #2306). */
+/* Compresses a chunk. One with as many bytes as its pixels is read as uncompressed, so it must be. But OpenEXR writes
+   zlib's output even if it has exactly that size (its #2306). */
 static exr_result_t exr_compress(exr_encode_pipeline_t *encode)
 {
     const exr_packer *packer = encode->encoding_user_data;

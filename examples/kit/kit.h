@@ -187,7 +187,7 @@ typedef struct kit_object {
     int    shape;                          /* index into the scene's shapes */
     float  to_world[16];       /* from the shape's own coordinates to the world: rotation, uniform scale, translation */
     float  lower[3], upper[3];             /* world bounds */
-    int    casts;                          /* 1 = it occludes other objects; see kit_scene_load */
+    int    casts;                          /* 1 = it occludes other objects; kit_scene_load decides */
     /* index of its first triangle in the scene's mesh; the others follow in order, perhaps among other objects' */
     size_t first;
     float  loaded[16];                   /* to_world as it was loaded, if kit_scene_move moves the object; else all 0 */
@@ -223,7 +223,7 @@ typedef struct kit_light {
 
 enum { KIT_SCENE_LIGHTS = 4 };
 typedef struct kit_scene {
-    const char *name;                      /* built-in name or path */
+    const char *name;                      /* a built-in scene's name, or a path */
     const char *about;                     /* one line */
     char        note[512];                 /* one line: how the model differs from its file, "" = not at all */
     kit_mesh    mesh;
@@ -259,7 +259,7 @@ typedef struct kit_scene {
    built-in scene, the scene decides which objects cast. */
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
 void        kit_scene_free(kit_scene *scene);
-int         kit_scene_seeded(const char *name);    /* 1: the scene of that name has its own light */
+int         kit_scene_seeded(const char *name);    /* returns 1 if the scene has its own light */
 /* Return the name of the i-th built-in scene, of the i-th kind of scenes by seed, and of the i-th model that packages
    have; NULL past the last. */
 const char *kit_scene_builtin(int i, const char **about);
@@ -285,7 +285,7 @@ int         kit_scene_slide(kit_scene *scene, const float by[3], int times, kit_
    smoothly, with period 1 (0 = as loaded), never below the ground. All other objects and scenes stay. */
 void        kit_scene_move(kit_scene *scene, double time);
 
-#define KIT_BEHIND 0.2f                    /* the grey that colour pictures have where no surface is seen */
+#define KIT_BEHIND 0.2f                    /* grey of colour images where no surface is seen */
 
 /* ---- >>light ------------------------------------------------------------------------------------------------ */
 
@@ -314,8 +314,8 @@ int  kit_light_scene(kit_lighting *lighting, const kit_scene *scene, kit_error *
 int  kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err);
 /* Writes the radiance of a direction, which need not be unit: bilinear, wrapping around; 0 if data is NULL. */
 void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[3]);
-/* Convert between a direction and its place in the picture, in texels from the top left corner: the centre of the first
-   texel is (0.5, 0.5). */
+/* Convert between a direction and its place in the environment's image, in texels from the top left corner: the centre
+   of the first texel is (0.5, 0.5). */
 /* at: in [0, width] x [0, height]; direction need not be unit */
 void kit_env_place(const kit_image *env, const float direction[3], double at[2]);
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3]);  /* unit */
@@ -405,7 +405,7 @@ int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *ca
                   of GGX with a roughness mirror the view
    Rays as in kit_truth_ao. Each continues as a path, and each lobe has as many. */
 #define KIT_REFLECTED_ALBEDOS { 0.2f, 0.5f, 0.8f }
-#define KIT_REFLECTED_ROUGHNESSES { 0.05f, 0.15f, 0.35f, 0.7f }     /* alpha, the square of an artist's roughness */
+#define KIT_REFLECTED_ROUGHNESSES { 0.05f, 0.15f, 0.35f, 0.7f }  /* alpha of GGX, the square of an artist's roughness */
 #define KIT_REFLECTED_CHANNELS "Y,bent,normal,white.1,white.2,white.3,lobe.1,lobe.2,lobe.3,lobe.4"
 int kit_truth_reflected(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int rays,
                         int stride, kit_error *err);
@@ -455,5 +455,5 @@ typedef struct kit_agreement {
 } kit_agreement;
 int  kit_frame_agreement(kit_agreement *out, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
-/* ---- >>gl, >>gbuffer, >>method: see kit_gl.h ------------------------------------------------------------------- */
+/* ---- >>gl, >>gbuffer, >>method are in kit_gl.h ----------------------------------------------------------------- */
 #endif

@@ -16,7 +16,7 @@ typedef struct kit_build {
     uint32_t object;                       /* number of the object that is being built */
     int      failed;                       /* out of memory */
     double   at[3], turn, tilt;            /* turned by tilt degrees about x, then by turn about y, then moved by at */
-    kit_frame frame;                       /* the outer coordinates, applied after that */
+    kit_frame frame;                       /* the enclosing coordinates, applied after at, turn and tilt */
     float    albedo[3];
     uint32_t random;
 } kit_build;

@@ -169,7 +169,7 @@ kit_soup *kit_mesh_kept(const kit_mesh *mesh);
 int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_scene *scene, int pixels,
     kit_error *err);
 
-/* Depth peeling [Everitt 2001]: replaces the second and farther layers of a G-buffer that came from this scene, up to
+/* Peels depth [Everitt 2001]: replaces the second and farther layers of a G-buffer that came from this scene, up to
    `layers` layers in all [limit: 1..KIT_MAX_LAYERS]. A surface is of the next layer if it is more than 4e-6 of its view
    depth behind the last layer, so none is peeled against itself. Normals of odd layers (1st, 3rd ..) are turned toward
    the viewer, of even layers away: both sides of a closed solid face open space. Leaves GL as kit_gbuffer_from_scene
@@ -177,8 +177,8 @@ int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_
 #define KIT_MAX_LAYERS 8
 int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err);
 
-/* Draws back faces, by winding (counter-clockwise is the front), of a G-buffer that came from this scene and replaces
-   its own. slabs 1: back, one draw of the scene; 2: slabs, three draws. Leaves GL as kit_gbuffer_from_scene does. */
+/* Draws a G-buffer's back faces, by winding (counter-clockwise is the front), from the scene that it came from. slabs
+   1: only the nearest, one draw of the scene; 2: slabs, three draws. Leaves GL as kit_gbuffer_from_scene does. */
 int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err);
 
 /* Gives channels of another program's frame the names that kit_gbuffer_from_frame takes: channel[i] is "Z=THEIRS". If
@@ -247,7 +247,7 @@ enum { KIT_LIGHTS_HARMONICS, KIT_LIGHTS_SHADOWED };
 enum { KIT_OCCLUDERS_SOLID, KIT_OCCLUDERS_ALL };
 enum { KIT_WAY_CPU, KIT_WAY_CAPTURE, KIT_WAY_DIRECT };
 typedef struct kit_settings {
-    /* which samples a gather takes */
+    /* these members choose the samples of a gather */
     int    slices, directions, samples, normal_rays, march_terms, growing_sphere, sets, uniform_directions;
     int    resolution, range_check, noise;
     double offset, phase;                  /* half pixels; [0, 1] */
@@ -255,7 +255,7 @@ typedef struct kit_settings {
     double margin;                         /* radii */
     /* how much they occlude */
     int    thickness, falloff, fade, normal, left_handed, facets, lift;
-    double thickness_limit, fade_from, lambda;   /* in radii; in radii; per radius */
+    double thickness_limit, fade_from, lambda;   /* in radii; in radii; a rate per radius */
     /* filters */
     int    blur, filter, filter_normals, restore, history;
     /* light */
@@ -370,7 +370,7 @@ typedef struct kit_run {
     GLuint        arrays[3], buffers[3], query;
     size_t        field_bytes;             /* memory of fields */
     GLuint        joint;                   /* texture of a term that is also added to bounce; 0 = none */
-    /* the environment, interleaved; its harmonics if a pass reads them (s3ho's have the suns as lobes) */
+    /* radiance of the environment, three floats a texel; its harmonics, which with s3ho include suns */
     float        *equirect, harmonics[48];
     /* bytes that all passes move, for each pixel of the image. Each pass reads each texel of its inputs once (of
        farther layers, only those that it uses) and writes each of its outputs once, in their stored formats; splats
@@ -387,8 +387,8 @@ typedef struct kit_run {
 int kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, float radius, const kit_world *world,
                  kit_error *err);
 void kit_run_update(kit_run *run);         /* uploads run->frame */
-/* KIT_PASSES: each pass by a timer of its own, which waits for all passes before it. KIT_FRAME: all in one, as an
-   engine's frame; passes that only show a part of the result are then not drawn. */
+/* How a draw is timed. KIT_PASSES: each pass by a timer of its own, which waits for all passes before it. KIT_FRAME:
+   all in one, as an engine's frame; passes that only show a part of the result are then not drawn. */
 enum { KIT_UNTIMED, KIT_PASSES, KIT_FRAME };
 void kit_run_draw(kit_run *run, int timed);
 double kit_pass_bytes(const kit_run *run, const kit_pass *pass);   /* returns its bytes in one frame; see run->bytes */
@@ -405,9 +405,8 @@ int  kit_run_picture(kit_image *out, kit_gbuffer *gbuffer, const kit_world *worl
 
 /* ---- >>frames ----------------------------------------------------------------------------------------------- */
 
-/* Before a draw: makes the run the frame after last's. last is a run of the same method on a picture of any size; it
-   must not be drawn again, because the run takes its history. It may be the run itself, once drawn. frame: its
-   number. */
+/* Makes a run, before it is drawn, the frame after last's. last is a run of the same method on an image of any size; it
+   must not be drawn again, because the run takes its history. It may be the run itself, once drawn. */
 int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
 int  kit_run_keeps(const kit_run *run);    /* returns 1 if one of its passes averages over frames */
 
@@ -419,7 +418,7 @@ typedef struct kit_frames {
     unsigned since;                        /* number of consecutive frames up to now, including the present one */
     /* duration of the next frame in 60ths of a second; KIT_MEMORY of these are averaged. 0: 16 frames are averaged */
     float elapsed, took;                   /* took: kit_frames_next's own */
-    int jittered;                          /* 1: camera.shift is jitter, not motion */
+    int jittered;                          /* 1: camera.shift is jitter of the projection, not motion */
 } kit_frames;
 #define KIT_MEMORY 16.0f
 
@@ -436,7 +435,7 @@ void kit_frames_close(kit_frames *frames); /* may be called again */
    k = 1 on; k = 0 begins anew. */
 int  kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_error *err);
 
-/* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
+/* ---- >>plan: measures a scene for the planner --------------------------------------------------------------- */
 
 /* Measures a picture for ssgi_plan_make, all its numbers except error, budget, device and history: a survey; if there
    is a scene, a calibration by ray tracing and the cost of its surfels; the environment's harmonics. */
@@ -451,8 +450,8 @@ const char *kit_plan_text(char set[256], const ssgi_plan *plan, int wanted);
 /* Returns an image's error as plans define it, over pixels that show a surface and whose ground truth is known (not
    NAN): the RMSE of Y; or that of irradiance, or of irradiance and bounce, over their mean. */
 double kit_plan_error(const kit_image *picture, const kit_image *truth, const kit_image *frame, int wanted);
-/* Turns ambient visibility (channel Y) into light (KIT_LIT_CHANNELS): the light of open surfaces, dimmed by it, except
-   for the part that is direct (NULL: none). */
+/* Turns ambient visibility (channel Y) into light (KIT_LIT_CHANNELS): the light of open surfaces times visibility,
+   except for direct, which is not dimmed (NULL: none). */
 int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err);
 /* Does the same with the environment's light on open surfaces, dimmed, and the lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);

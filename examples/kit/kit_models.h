@@ -81,9 +81,9 @@ enum { KIT_REPEAT, KIT_MIRROR, KIT_CLAMP };
 int kit_mask_make(kit_mask *m, const kit_picture *t, int bright, int least);
 void kit_mask_free(kit_mask *m);
 
-/* Cuts a triangle to its opaque texels and calls piece for each remaining triangle: weights of the corners 1 and 2,
-   three times. It cuts along texels, or along squares of them, so large that there are at most `most`; whole squares
-   are kept or left out so that the kept area is the opaque area. uv: v is up. */
+/* Cuts a triangle to its opaque texels and calls piece for each remaining triangle: for its three corners, the weights
+   of the corners 1 and 2. It cuts along texels, or along squares of them, so large that there are at most `most`; whole
+   squares are kept or left out so that the kept area is the opaque area. uv: v is up. */
 typedef int kit_piece(void *context, const double weight[3][2]);
 int kit_card_cut(kit_mask *m, const int wrap[2], const double uv[3][2], double most, kit_piece *piece,
                  void *context);

@@ -27,8 +27,8 @@ typedef struct kit_soup {
     /* 3 floats a vertex; 3 uint32_t a triangle, which index these; empty: only equal positions connect triangles */
     kit_array vertices, vertex;
     kit_array named[2];                    /* elements are kit_key; their bytes stay until kit_soup_objects */
-    kit_array line[2];                     /* uint32_t a triangle: its index in named */
-    kit_array number;                      /* uint32_t a triangle: its object's */
+    kit_array line[2];                     /* uint32_t a triangle: the index of its name in named */
+    kit_array number;                      /* uint32_t a triangle: the number of its object */
     kit_array objects;                     /* kit_object */
     double origin[3];                      /* the mesh's */
 } kit_soup;

@@ -63,8 +63,8 @@ int       kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GL
 
 /* Replaces *g by a G-buffer with the method's margin. pixels: the margin's width; -1: kit_run_open's rule decides. */
 int       kit_add_margin(kit_making *m, kit_gbuffer **g, float radius, int pixels);
-/* With a margin, sets the part of its targets that each pass draws: for the result the picture, for inputs of a filter
-   the filter's reach, for emitters and the light on them all. */
+/* Limits the part of its targets that each pass draws: without a margin all; for the result the image, for inputs of a
+   filter also the filter's reach, for emitters and the light on them all. */
 void      kit_limit_passes(kit_run *run);
 
 /* ---- >>views */

@@ -6,7 +6,7 @@
 
 #include "kit/kit_build.h"
 
-/* ---- >>plot: the ground that a scene is built on --------------------------------------------------------------- */
+/* ---- >>plot: what a scene is built in --------------------------------------------------------------- */
 
 /* A thing that the camera may look at: a ball with centre at and radius reach. */
 typedef struct kit_sight { double at[3], reach; } kit_sight;

@@ -77,7 +77,7 @@ int    kit_trace_new(ssgi_trace *trace, void **memory, const float *position, co
 
 /* ---- >>a picture of them */
 
-typedef struct kit_place {              /* on the surface, as seen along a ray */
+typedef struct kit_place {              /* a place on the surface that a ray hits */
     float origin[3];                /* the point, lifted off the face toward the ray's origin */
     float n[3];                     /* shading normal, turned to the side of the ray's origin */
     const float *albedo;

@@ -39,7 +39,7 @@ static void ssim_row(void *context, int y)
     ssim_job *j = context;
     int known = 0;
     while (known < j->width && !ssim_counts(j, (size_t)y * (size_t)j->width + (size_t)known)) ++known;
-    if (known == j->width) return;                   /* for example, most rows of a ground truth with a stride */
+    if (known == j->width) return;          /* as in most rows of a ground truth with a stride, where no pixel counts */
     for (int x0 = 0; x0 < j->width; x0 += STRIP) {
         double column[STRIP + 2 * REACH][SUMS] = {{0}};
         int x1 = x0 + STRIP < j->width ? x0 + STRIP : j->width;

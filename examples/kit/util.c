@@ -24,7 +24,7 @@ int kit_fail(kit_error *err, const char *format, ...)
     va_start(args, format);
     vsnprintf(line.text, sizeof line.text, format, args);
     va_end(args);
-    for (char *p = line.text; *p; ++p)     /* file names and library messages can hold line ends */
+    for (char *p = line.text; *p; ++p)     /* line ends become blanks: file names and library messages can hold some */
         if ((unsigned char)*p < ' ' || *p == 127) *p = ' ';
     *err = line;
     return -1;
@@ -87,7 +87,7 @@ void kit_progress(const char *what, double fraction)
 {
     static double started, drawn;
     static int shown;
-    static char running[128];                  /* the outermost activity; inner ones do not restart its clock */
+    static char running[128];                  /* name of the outermost activity; inner ones do not restart its clock */
     if (!isatty(STDERR_FILENO) || (*running && *what && strcmp(what, running))) return;
     snprintf(running, sizeof running, "%s", fraction >= 1 ? "" : what);
     double now = kit_seconds();
@@ -108,7 +108,7 @@ void kit_progress(const char *what, double fraction)
 
 typedef struct parallel {
     int count, block;
-    atomic_int next;                        /* may exceed count by one block a thread */
+    atomic_int next;                        /* index of the next job; may exceed count by one block a thread */
     void (*job)(void *context, int i);
     void *context;
 } parallel;
@@ -135,7 +135,7 @@ void kit_parallel(const char *what, int count, void (*job)(void *context, int i)
     long wanted = text && atoi(text) > 0 ? atoi(text) : sysconf(_SC_NPROCESSORS_ONLN);
     int threads = wanted < 1 ? 1 : wanted > MOST ? MOST : (int)wanted;
     parallel p = { .count = count, .job = job, .context = context };
-    p.block = count / (32 * threads);      /* small enough to balance unequal jobs */
+    p.block = count / (32 * threads);      /* jobs a block: small enough to balance unequal jobs */
     if (p.block < 1) p.block = 1;
     atomic_init(&p.next, 0);
 

@@ -160,7 +160,7 @@ int main(int argc, char **argv)
     pthread_cond_init(&v.truth.wake, NULL);
     for (int i = 0; i < 2; ++i) v.side[i].error = (double)NAN;
     snprintf(cores, sizeof cores, "%ld", sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) - 1 : 1);
-    setenv("KIT_THREADS", cores, 0); /* one core stays free to draw */
+    setenv("KIT_THREADS", cores, 0); /* one core stays free for drawing */
     int failed = arguments(&v, &to, argc, argv);
     if (!failed && to.help) usage();
     else if (!failed && to.version) printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);

@@ -64,7 +64,7 @@ typedef struct light {
 typedef struct pace {
     double fixed;                          /* share of the window's width and height that is drawn; 0: chosen by time */
     int    level, lowest;               /* indices in the table shares: while the view moves; the last of this window */
-    int    still;                           /* the view is at rest: the size is the window's */
+    int    still;                           /* 1: the view is at rest, so that the size is the window's */
     int    coarse;                          /* while the view moves, surfels are 2^coarse times as wide */
     double moved;                           /* time of the last movement or change of a setting, seconds */
     int    opened;                          /* frames drawn with a new G-buffer since settings changed */
@@ -86,8 +86,8 @@ typedef struct viewer {
     double       mouse[2];
     pace         pace;
     side         side[2];
-    int          kept;                      /* the scene's triangles are on the GPU */
-    kit_gbuffer  gbuffer[2], *seen;         /* of this frame and the last; seen: this frame's, NULL: none yet */
+    int          kept;                      /* 1: the scene's triangles are on the GPU */
+    kit_gbuffer  gbuffer[2], *seen;       /* of this frame and the last; seen: points to this frame's; NULL: none yet */
     float        stood[2][3];               /* displacement of the sliding object in each G-buffer */
     int          drawn[2];                  /* size */
     int          moved, restart, redraw;    /* changes since the last frame: of the view; of the methods; of the text */
@@ -132,7 +132,7 @@ void   load_close(viewer *v);
 
 int    draw_open(viewer *v);
 int    draw_frame(viewer *v);               /* draws the methods' results unless they are up to date */
-void   draw_window(viewer *v);              /* both halves into the window */
+void   draw_window(viewer *v);              /* draws both halves into the window */
 int    draw_settled(const viewer *v);       /* returns 1 if another frame would look the same */
 void   draw_forget(viewer *v);              /* called before the scene's triangles change */
 void   draw_close(viewer *v);

@@ -10,7 +10,7 @@ export function exr(width, height, channels, { screenWindowWidth = 1, ...attribu
     const attribute = (name, type, size) => { string(name); string(type); word(size); };
     word(20000630, 2);
     attribute('channels', 'chlist', 1 + names.reduce((sum, name) => sum + name.length + 17, 0));
-    for (const name of names) { string(name); word(2, 0, 1, 1); }       /* float, one sample a pixel */
+    for (const name of names) { string(name); word(2, 0, 1, 1); }      /* a channel's type: float, one sample a pixel */
     bytes.push(0);
     attribute('compression', 'compression', 1);
     bytes.push(0);

@@ -1105,7 +1105,7 @@ async function savePicture() {
     (gpu?.canvas ?? canvas).toBlob(blob => { if (blob) saved('ssgi.png', blob); });
 }
 
-/* The attributes with which three.js creates a context, because it gets this one. */
+/* The attributes that three.js would ask for: it is given this context. */
 const contextLike = { alpha: true, depth: true, stencil: false, antialias: false, premultipliedAlpha: true,
                       preserveDrawingBuffer: false, powerPreference: 'high-performance' };
 function lacks() {

@@ -1,4 +1,4 @@
-/* sky.mjs - the radiance of the world's directions in the built-in environments of build/render --env. */
+/* sky.mjs - functions that return the radiance of a direction, for the built-in environments of build/render --env. */
 
 const degree = Math.PI / 180;
 

@@ -108,7 +108,7 @@ static float *vertices_new(const kit_mesh *mesh)
     return vertices;
 }
 
-/* The mesh that kit_mesh_keep uploaded. */
+/* the mesh that kit_mesh_keep uploaded */
 static struct { const kit_mesh *mesh; kit_soup soup; } kept;
 
 static int soup_open(kit_soup *soup, const kit_mesh *mesh, kit_error *err)
@@ -552,7 +552,7 @@ static void take_slabs_and_motion(kit_gbuffer *g, const frame_channels *f, float
     if (f->slabs > 1) g->slabs = packed_slabs(g, room);
     if (!f->motion[0] || !f->motion[1]) return;
     for (size_t i = 0; i < texels; i++)
-        for (size_t c = 0; c < 2; c++) {   /* bottom row first, +y up */
+        for (size_t c = 0; c < 2; c++) {   /* the frame's +y is up in channel 1; rows are bottom first */
             const float v = f->motion[c][frame_row(g, i)];
             room[2 * i + c] = !isfinite(v) ? 0 : c ? -v : v;
         }

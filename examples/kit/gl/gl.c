@@ -269,7 +269,7 @@ static int make_ready(int result, kit_error *err)
     glBindVertexArray(gl.vertex_array);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (!at_exit) at_exit = !atexit(finish_drawing);       /* runs before Mesa's handler, which was just registered */
+    if (!at_exit) at_exit = !atexit(finish_drawing);       /* registered now, so that it runs before Mesa's handler */
     return 0;
 }
 
@@ -405,7 +405,7 @@ static void attach_to_read(GLenum attachment, GLuint texture, int slice)
     else           glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, attachment, texture, 0, slice);
 }
 
-/* Reads depth, one float a texel, and spreads it to four. */
+/* Reads depth, one float a texel, as the first of four floats. */
 static void read_depth(int width, int height, float *data)
 {
     const size_t texels = (size_t)width * (size_t)height;
@@ -421,7 +421,7 @@ static void read_depth(int width, int height, float *data)
     for (size_t i = texels; i-- > 0; ) data[4 * i] = data[i];
 }
 
-/* Reads colours as four floats a texel, or integers as the bits of four. */
+/* Reads colours as four floats a texel, or integers as floats with the same bits. */
 static int read_colour(int width, int height, float *data)
 {
     const size_t texels = (size_t)width * (size_t)height;

@@ -50,7 +50,7 @@ static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, cons
         sorted = malloc((27 * count + 1) * sizeof *sorted);
         if (divided) ssgi_surfels_divide(divided, count, &count, d, view, &source, NULL);
     }
-    for (size_t t = 0; t < count && divided && sorted; ++t) {      /* large triangles are filled in from the end */
+    for (size_t t = 0; t < count && divided && sorted; ++t) {      /* large triangles are put at the end of the array */
         ssgi_surfel_cost cost = { 0 };
         ssgi_surfel_source one = { .position = divided + 27 * t, .position_stride = 36, .triangles = 1 };
         memcpy(one.to_view, picture, sizeof one.to_view);
@@ -78,7 +78,7 @@ static void mean_of(float sky[3], const kit_image *env)
     for (int c = 0; c < 3; ++c) sky[c] = (float)(sum[c] / sum[3]);
 }
 
-/* The surfels of a run, and their sources, before passes are made of them. */
+/* The surfels of a run and what they are made from, until passes exist for them. */
 typedef struct surfels {
     ssgi_surfel_desc desc;
     ssgi_surfel     *surfel;               /* run->surfels of them */

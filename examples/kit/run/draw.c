@@ -61,7 +61,7 @@ void kit_run_update(kit_run *run)
 
 static void draw_patches(const kit_pass *p)
 {
-    /* Mesa's rasteriser confuses points beyond 65536 of one tessellated draw */
+    /* Mesa's rasteriser draws wrong points beyond 65536 of one tessellated draw. */
     const int all = p->patches[0] + p->patches[1], most = kit_gl_is_software() ? 20 : all;
     glPatchParameteri(GL_PATCH_VERTICES, 3);
     for (int first = 0, count; first < all; first += count) {

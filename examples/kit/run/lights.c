@@ -113,7 +113,7 @@ static int sun(kit_placed_light *out, const float at[3], const float colour[3], 
     return rows;
 }
 
-/* Places one --light and returns the number of lights that it makes. */
+/* Places a light of --light and returns the number of lights that it makes. */
 static int place_light(kit_placed_light *out, const kit_light *w, const kit_scene *scene, const kit_seen_places *seen,
                        float extent, int size)
 {
@@ -148,7 +148,7 @@ static int place_suns(kit_placed_light *out, const kit_making *m, const kit_scen
     return n;
 }
 
-/* Finds `vpls` virtual point lights of the first --light; -1: failure. */
+/* Finds `vpls` virtual point lights, which bounce the light of the first --light; -1: failure. */
 static int choose_vpls(ssgi_vpl *found, int vpls, const kit_making *m)
 {
     const kit_lighting *lighting = m->world->lighting;
@@ -345,7 +345,7 @@ int kit_add_environment(kit_making *m)
                                     : m->desc.gather.directions ? (float)(2 * KIT_PI / m->desc.gather.directions)
                                     : m->desc.gather.slices
                                         ? (float)(0.75 * KIT_PI / m->desc.gather.slices)
-                                        : (float)KIT_PI * run->frame.epsilon /* of surfels at the end of a shell */,
+                                        : (float)KIT_PI * run->frame.epsilon /* surfels' area at the end of a shell */,
                                     0, &why)
                      != SSGI_OK
                  || !(run->environment = kit_keep(run, kit_texture(SIZE, SIZE, GL_RGBA32F, kit_rgba(four, map, SIZE))));

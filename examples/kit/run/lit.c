@@ -21,8 +21,8 @@ static int add_residual(kit_making *m, const ssgi_sun *suns, int count)
     return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
 }
 
-/* s3ho: adds suns to the environment's harmonics as lobes, moves the other lights, which depend on a pixel's place, to
-   the front of placed, and adds the residual of all those harmonics. */
+/* Adds the lights of s3ho: suns as lobes of the environment's harmonics, the residual of all harmonics, and the other
+   lights, which depend on a pixel's place; it moves these to the front of placed. */
 static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
 {
     const int window = m->set->window, bands = m->desc.light.bands;
@@ -59,11 +59,11 @@ static int add_harmonic_light(kit_making *m)
     bounce = chain;
     bounce.desc.light.packed_coefficients = 1;
     bounce.desc.light.transfer = joint ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED;
-    /* occluders may send more light than they block */
+    /* occluders can send more light than they block, which no ratio restores */
     if (chain.desc.light.restore) bounce.desc.light.restore = SSGI_GL_RESTORE_DIFFERENCE;
     if (joint) chain.desc.light.restore = bounce.desc.light.restore;
     if (m->rows[0] && m->set->lights == KIT_LIGHTS_SHADOWED) chain.lights = m->lights;
-    /* only shadowed lights: no light needs coefficients */
+    /* the only lights have shadow maps, and these need no coefficients */
     if (chain.lights.pass == SSGI_GL_PASS_LIGHTS && !m->world->lighting->env.data) {
         chain.desc.pass = SSGI_GL_PASS_SSDO;
         chain.desc.light.environment = SSGI_GL_ENVIRONMENT_NONE;

@@ -1,5 +1,5 @@
-/* plan.c - measures a scene for ssgi_plan_make, from a G-buffer, and turns the plan into a method of the kit. Part of
-   the kit. */
+/* plan.c - measures a scene from a G-buffer for ssgi_plan_make, and turns the plan into a method of the kit. Declared
+   in kit_gl.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdio.h>
@@ -148,7 +148,7 @@ static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame
     kit_image_free(&truth);
     kit_image_free(&open);
     kit_image_free(&direct);
-    /* else no pixel has light */
+    /* otherwise no pixel has light */
     if (isfinite(error[0])) *calibration = (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2] };
     return 0;
 }

@@ -106,8 +106,8 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     run->bytes = kit_run_bytes(run);
     glGenBuffers(KIT_FRAMES, run->block);
     kit_run_update(run);
-    /* reuse reads the last frame's light, and occluded emitters its coefficients; bounced adds one bounce
-       each frame, of which the ninth is negligible */
+    /* frames until history is complete: reuse reads the last frame's light, occluded emitters its coefficients; bounced
+       adds one bounce each frame, of which the ninth is negligible */
     const int frames = m->set->bounced ? 8 : m->set->reuse || m->set->occluded_emitters ? 2 : 0;
     for (int i = 0; i < frames; ++i) kit_run_draw(run, 0);
     return 0;

@@ -22,8 +22,8 @@ typedef struct row { kit_setting setting; size_t member; int where; size_t offse
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
 #define WHOLE(member) _Generic(((const kit_settings *)0)->member, int: 1, double: 0)
 /* choices: its words, or NULL if the setting is a number */
-/* A row with the words and limits of a field of ssgi_gl_desc. COUNT: refuses 0, the library's default, so that costs
-   can be computed from the count. */
+/* Make a row with the words and limits of a field of ssgi_gl_desc. COUNT refuses 0, the library's default, so that
+   costs can be computed from the count. */
 #define OF(name, key, field, where, value, about)    ROW(name, key, about, NULL, value, 0, 0, where, DESC(field))
 #define COUNT(name, key, field, where, value, about) ROW(name, key, about, NULL, value, 1, 0, where, DESC(field))
 #define ROW(name, key, about, choices, value, least, most, where, offset) \
@@ -145,8 +145,8 @@ ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without 
 /* In the corner of two endless walls, a wall's point has the coefficients pi/2 sqrt(1/(4 pi)), and sqrt(3/(4 pi)) times
    pi/3 along its normal and 2/3 away from the other wall. Hann's window and the residual give a lamp along (1, 1) /
    sqrt(2) 0.47, and one along (1, -1) / sqrt(2), behind the wall, 0.24. Their cosine is 0.71: 0.66 of a visible lamp
-   stays, and 0.34 of a hidden one. So wide a lobe darkens creases that see the lamp; it is worse than nothing if
-   shadows come from beyond the radius. */
+   stays, and 0.34 of a hidden one. So a lobe of two bands is wide: it darkens creases that see the lamp; it is worse
+   than nothing if shadows come from beyond the radius. */
 ROW(shadowed_row, lights, "--light by maps and segments, or as harmonics of two bands, whose lobe is wide: a crease "
     "that sees a light keeps 0.66 of it, a hidden one 0.34; may be worse than no occlusion",
     "harmonics shadowed", 1, 0, 1, PLAN, 0)
@@ -338,7 +338,7 @@ static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl
     if (w == &history_row) return chain->history;
     if (w->where & (FRAME | SCALED)) {
         memcpy(&real, (const char *)frame + w->offset, sizeof real);
-        return round(1e6 * (double)real) / 1e6;                         /* 0.3f becomes 0.3 */
+        return round(1e6 * (double)real) / 1e6;                         /* rounds to decimals: 0.3f becomes 0.3 */
     }
     if (w->where & GATHER) memcpy(&value, (const char *)&chain->desc + w->offset, sizeof value);
     return value ? value : w->setting.value;

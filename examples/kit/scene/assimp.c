@@ -138,7 +138,7 @@ static int beside(char **data, size_t *size, const reader *r, const char *name)
         const int length = snprintf(path, sizeof path, "%.*s%s", own ? 0 : folder, r->from.path, way < 2 ? name : base);
         if (length < 0 || (size_t)length >= sizeof path) return -1;
         for (char *p = path + folder, *to = p; way > 0 && (*to = *p) != 0; ++p, ++to) {
-            unsigned byte; /* as Windows paths and URIs have it */
+            unsigned byte; /* a byte that is escaped as %20, as in URIs */
             if (*p == '\\') *to = '/';
             else if (way & 1 && *p == '%' && sscanf(p + 1, "%2x", &byte) == 1 && byte && p[1] && p[2]) {
                 *to = (char)byte;
@@ -231,7 +231,7 @@ static void gltf_transform(look *l, const struct aiMaterial *m, enum aiTextureTy
     const double x = (double)t.mScaling.x, y = (double)t.mScaling.y;
     const double right = (double)t.mTranslation.x - 0.5 * x * (1 - c + s);
     const double down = 1 - y - (double)t.mTranslation.y + 0.5 * y * (s + c - 1);
-    /* u' = c x u + s y (1 - v) + right, 1 - v' = -s x u + c y (1 - v) + down */
+    /* u and v of a vertex become u' = c x u + s y (1 - v) + right, v' = 1 - (-s x u + c y (1 - v) + down) */
     const double rows[2][3] = { { c * x, -s * y, s * y + right }, { s * x, c * y, 1 - c * y - down } };
     memcpy(l->to_texture, rows, sizeof rows);
 }
@@ -287,7 +287,7 @@ static int look_at(reader *r, look *l, const struct aiMaterial *m)
     *l = (look){ .of = -1 };
     const int textured = texture_of(r, m, aiTextureType_BASE_COLOR, &path, l)
                       || texture_of(r, m, aiTextureType_DIFFUSE, &path, l);
-    /* the material that Assimp adds if a file has none */
+    /* Assimp adds this material if a file has none. */
     l->grey = !textured
            && (!coloured || !strcmp(name.data, AI_DEFAULT_MATERIAL_NAME)
                || (!*name.data && colour.r == 1 && colour.g == 1 && colour.b == 1));

@@ -131,7 +131,7 @@ void kit_build_room(kit_build *b)
 
 static void soffit_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double *s = shape, a = KIT_PI * u;                                 /* radius, spring height, half thickness */
+    const double *s = shape, a = KIT_PI * u;                          /* shape: radius, spring height, half thickness */
     out->p[0] = s[2] * (2 * v - 1); out->p[1] = s[1] + s[0] * sin(a); out->p[2] = s[0] * cos(a);
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = -cos(a);
 }
@@ -152,7 +152,7 @@ static void arch(kit_build *b, double radius, double spring, double top, double 
                                { x, spring + radius * sin(c), radius * cos(c) },
                                { x, top, radius * cos(c) },
                                { x, top, radius * cos(a) } };
-            if (side > 0) {                                              /* turn it to face outwards */
+            if (side > 0) {                                              /* turns the arch to face outwards */
                 double swap[3];
                 memcpy(swap, q[1], sizeof swap); memcpy(q[1], q[3], sizeof swap); memcpy(q[3], swap, sizeof swap);
             }

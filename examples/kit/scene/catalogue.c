@@ -30,7 +30,7 @@ typedef struct entry {
     int archive, turned;
     double side[3];
     float turn[9];
-    char path[160], name[160];             /* "scopia/armchair3/armchair3.obj", without the last part */
+    char path[160], name[160];             /* as "scopia/armchair3/armchair3.obj"; name lacks the last part */
 } entry;
 
 /* all catalogues' entries, read at the first call; not locked, because one thread loads scenes */

@@ -55,7 +55,7 @@ static double chance_of(uint32_t key) { return (double)key * 0x1p-32; }
 
 /* ---- >>numbers --------------------------------------------------------------------------------------------------- */
 
-/* An expression that is being read; drawn: the number of chances drawn so far. */
+/* an expression that is being read; drawn: number of random numbers drawn so far */
 typedef struct reading {
     walk *w;
     const char *at;
@@ -586,7 +586,7 @@ static int clear(walk *w, const double place[3], double radius)
 
 enum { X, Y, Z, TURN, TILT, SCALE, PLACES };
 
-/* Finds a place for a copy; returns 0 if all places that it tried are claimed. */
+/* Finds a place for a copy of a row's thing; returns 0 if all places that it tried are claimed. */
 static int find_place(walk *w, const char *at, uint32_t key, double place[PLACES])
 {
     static const int order[PLACES] = { X, Z, Y, TURN, TILT, SCALE };
@@ -708,7 +708,7 @@ double kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *
     p->stand[0] = p->stand[1] = -12;
     p->stand[2] = p->stand[3] = 12;
     p->sight[p->sights++] = (kit_sight){ { 0, by * half[1], 0 }, 1 };
-    /* a model is often hollow in the middle, so the other things to look at are on its surface */
+    /* a model is often hollow in the middle, so the camera may also look at points on its surface */
     for (uint32_t k = 0; k < 6 && m.triangles; k++) {
         const float *const at = m.position + 9 * (size_t)((double)m.triangles * chance_of(mixed(seed, k)));
         p->sight[p->sights++] = (kit_sight){ { by * (double)at[0], by * (double)at[1], by * (double)at[2] }, 0.4 };

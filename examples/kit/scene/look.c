@@ -187,7 +187,7 @@ static kit_camera try_way(kit_plot *p, int way, kit_camera c)
     for (int i = 0; i < 3; i++) at[i] = s->at[i] + kit_between(b, -0.4, 0.4) * reach;
     c.fovy = (float)kit_between(b, 40, 68);
     c.znear = 0.02f;
-    /* Compilers evaluate arguments in different orders, so chances are drawn before the call. */
+    /* Compilers evaluate arguments in different orders, so random numbers are drawn before the call. */
     if (way == EYE) {
         const double away = reach * kit_between(b, 1.2, 3) + 0.8, height = kit_between(b, 1.35, 1.75);
         stand_at(&c, p, at, turn, away, height);
@@ -258,7 +258,7 @@ int kit_look(kit_scene *s, kit_plot *p, unsigned seed)
         const double w = worth(&now, way, p->ceiling > 0, v.share);
         if (w <= most) continue;
         most = w;
-        /* half of the cameras in clutter cut the nearest surfaces */
+        /* half of the cameras within clutter cut the nearest surfaces by the near plane */
         c.znear = (float)fmax(0.005, way == INSIDE && seed & 1 ? 1.1 * now.nearest : 0.35 * now.nearest);
         best = c;
         s->radius = now.radius;

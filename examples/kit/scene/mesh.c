@@ -85,8 +85,8 @@ static int wrong(const obj *o, const char *what, const char *at)
                   : kit_fail(o->from.err, "%s line %d: %s, but the line ends", o->from.path, o->from.line, what);
 }
 
-/* Reads count numbers and subtracts an origin unless it is NULL; what: their name. Returns the text after them; NULL:
-   they are missing. */
+/* Reads count numbers and subtracts an origin unless it is NULL; what: their name in messages. Returns the text after
+   them; NULL: they are missing. */
 static char *floats(const obj *o, float *out, int count, char *at, const char *what, const double *origin)
 {
     for (int i = 0; i < count; ++i) {
@@ -218,7 +218,7 @@ static int same(const corner *a, const corner *b) { return a->flat[0] == b->flat
 static int flatten(corner *c, int count)
 {
     double n[3] = { 0 }, turned = 0;
-    for (int k = 0; k < count; ++k)        /* Newell's normal, relative to corner 0 for precision */
+    for (int k = 0; k < count; ++k)        /* adds up Newell's normal, relative to corner 0 for precision */
         for (int i = 0; i < 3; ++i) {
             const float *o = c[0].position, *p = c[k].position, *q = c[(k + 1) % count].position;
             const int u = (i + 1) % 3, v = (i + 2) % 3;
@@ -247,7 +247,7 @@ static int is_ear(const corner *c, int a, int b, int d)
     for (int k = c[d].next; k != a; k = c[k].next)
         if (turn(&c[a], &c[b], &c[k]) >= 0 && turn(&c[b], &c[d], &c[k]) >= 0 && turn(&c[d], &c[a], &c[k]) >= 0
             && !same(&c[k], &c[a]) && !same(&c[k], &c[b]) && !same(&c[k], &c[d]))
-            return 0;                      /* holes are bridged by doubled corners */
+            return 0;                      /* holes are bridged by corners that occur twice */
     return 1;
 }
 
@@ -268,7 +268,7 @@ static int add_polygon(obj *o)
         }
         failed = add_triangle(o, &c[a], &c[b], &c[d]);
         c[a].next = d;
-        a = d;                             /* continuing at the next corner avoids fans of slivers */
+        a = d;                             /* goes on at the next corner, which avoids fans of slivers */
         tries = 0;
         --count;
     }

@@ -53,7 +53,7 @@ static const kind formats[] = {
     { "USD", NULL, ".usd" },
     { "USDZ", NULL, ".usdz" },
     { "Alembic", "Ogawa", ".abc" },
-    /* containers and files that are not models: used if no ending says more */
+    /* formats of containers and files that are not models: used if no ending says more */
     { "a ZIP file", "PK\3\4", NULL },
     { "a gzip file", "\037\213", NULL },
     { "a PNG picture", "\211PNG", NULL },

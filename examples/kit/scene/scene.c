@@ -62,7 +62,7 @@ static void list_names(char *names, size_t size)
 static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *err)
 {
     int failed = 0;
-    if (access(path, R_OK)) {              /* opening a pipe would wait for its writer */
+    if (access(path, R_OK)) {              /* checked by access, because opening a pipe would wait for its writer */
         char names[sizeof err->text] = "";
         list_names(names, sizeof names);
         return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s, random:SEED, "

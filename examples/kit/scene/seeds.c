@@ -78,7 +78,7 @@ static int kind_of(const char *word, int64_t seed, const char *name, kit_error *
 
 /* ---- >>faults of real models ----------------------------------------------------------------------------------- */
 
-/* Swaps two corners of triangle t; faces: also negates its normals. */
+/* Swaps two corners of triangle t; faces: 1 also negates its normals. */
 static void invert(kit_mesh *m, size_t t, int faces)
 {
     float *const of[2] = { m->position + 9 * t, m->normal + 9 * t };

@@ -43,7 +43,7 @@ void kit_build_columns(kit_build *b)
         if (i < 3) kit_box(b, -0.27, 0, -0.28, 0.27, 1.9, 0.28);
     }
     kit_place_at(b, 0, gap, 0, 0);
-    /* a panel seen edge-on */
+    /* adds a panel seen edge-on */
     kit_colour(b, 0.10, 0.60, 0.16); kit_box(b, -0.03, 0, -1.2, 0.03, 1.1, 0.2);
     /* this object is outside the image, to the right */
     kit_colour(b, 0.88, 0.24, 0.04); kit_place_at(b, 4.08, gap, -0.63, -28);
@@ -75,7 +75,7 @@ void kit_build_plates(kit_build *b)
 
 void kit_build_pebbles(kit_build *b)
 {
-    /* x, z, turn, half sides, height */
+    /* a table's x, z, turn, half sides, height */
     static const double tables[2][6] = { {-0.25, -0.2, 24, 0.24, 0.15, 0.30}, {0.48, 0.22, -31, 0.11, 0.11, 0.17} };
     const double gap = 0.0005, cell = 0.1, leg = 0.007;
     kit_colour(b, 0.60, 0.58, 0.55); kit_box(b, -1.8, -0.1, -1.8, 1.8, 0, 1.8);
@@ -122,7 +122,7 @@ void kit_build_boxes(kit_build *b)
 
 void kit_build_spheres(kit_build *b)
 {
-    /* x, z, radius, height above the floor */
+    /* a ball's x, z, radius, height above the floor */
     static const double ball[][4] = { {-2.1, -0.6, 1, 0.001}, {-0.45, -1.7, 0.9, 0.001}, {0.95, -0.5, 0.8, 0.05},
                                       {2.3, 0.3, 0.7, 0.001}, {-0.35, 0.5, 0.6, 0.001}, {0.45, 1.45, 0.5, 0.001},
                                       {-1.35, 1.35, 0.5, 0.12} };

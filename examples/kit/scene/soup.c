@@ -82,7 +82,7 @@ static int first_of_equals(uint32_t *first, const kit_key *keys, size_t count)
 {
     size_t size = 16;
     while (size < 2 * count) size *= 2;
-    uint32_t *slot = calloc(size, sizeof *slot);        /* index of a key, plus 1 */
+    uint32_t *slot = calloc(size, sizeof *slot);        /* index of a key, plus 1; 0: empty */
     for (size_t i = 0; slot && i < count; ++i) {
         size_t at = kit_hash(KIT_HASH, keys[i].bytes, keys[i].length) & (size - 1);
         for (; slot[at]; at = (at + 1) & (size - 1)) {
@@ -106,7 +106,7 @@ static uint32_t root(uint32_t *parent, uint32_t t)
     return t;
 }
 
-/* Renumbers kinds below limit from 1 on, in the order of their first use. Returns their number, -1 without memory. */
+/* Renumbers kinds below limit from 1 on, by their first use. Returns the number of kinds, -1 without memory. */
 static int64_t number_kinds(uint32_t *kind, size_t count, size_t limit)
 {
     uint32_t *number = calloc(limit, sizeof *number), numbers = 0;

@@ -147,10 +147,10 @@ static void slats(kit_build *b, const double at[3], double turn, double tilt, do
 static void veranda(kit_build *b)
 {
     static const double inner[4][3] = { {-4,0,-0.9}, {4,0,-0.9}, {4,3,-0.9}, {-4,3,-0.9} };
-    kit_colour(b, 0.50, 0.40, 0.30);                                     /* decking over gravel, with gaps of a pixel */
+    kit_colour(b, 0.50, 0.40, 0.30);                                /* adds decking over gravel, with gaps of a pixel */
     for (int i = 0; i < 58; i++) kit_box(b, -4 + 0.14 * i, -0.028, 0, -3.868 + 0.14 * i, 0, 5.4);
     kit_colour(b, 0.35, 0.34, 0.32); kit_level(b, -4, 0, 4.12, 5.4, -0.2);
-    kit_colour(b, 0.74, 0.71, 0.64);                                     /* the wall: window, door, a room behind */
+    kit_colour(b, 0.74, 0.71, 0.64);                                    /* adds the wall: window, door, a room behind */
     kit_box(b, -4, -0.2, -0.25, -1.5, 3.2, 0); kit_box(b, -1.5, -0.2, -0.25, 0.35, 0.85, 0);
     kit_box(b, -1.5, 2.2, -0.25, 0.35, 3.2, 0); kit_box(b, 0.35, -0.2, -0.25, 0.95, 3.2, 0);
     kit_box(b, 0.95, 2.25, -0.25, 2.1, 3.2, 0); kit_box(b, 2.1, -0.2, -0.25, 4, 3.2, 0);

@@ -18,7 +18,7 @@ double kit_accumulate(float *cdf, int n)
     return total / n;
 }
 
-double kit_pick(const float *cdf, int n, float u)        /* where the running sum is u, in [0, n) */
+double kit_pick(const float *cdf, int n, float u)       /* returns the index at which the running sum is u, in [0, n) */
 {
     int low = 0, high = n;
     while (high - low > 1) {
@@ -31,8 +31,8 @@ double kit_pick(const float *cdf, int n, float u)        /* where the running su
 
 /* ---- >>environment ----------------------------------------------------------------------------------------------- */
 
-/* A lamp: a texel much brighter than the rest. Bilinear interpolation makes it a hat over the texels around; the rest
-   of the map is as if this texel were black. */
+/* A lamp: a texel much brighter than the other texels. Bilinear interpolation makes it a hat function over its
+   neighbours; the other texels are treated as if it were black. */
 typedef struct lamp { int x, y; float rgb[3]; } lamp;
 
 enum { MOST_LAMPS = 512 };
@@ -46,8 +46,8 @@ static double luminance_of(const kit_image *env, size_t i)
            + 0.0722 * (double)env->data[2 * texels + i];
 }
 
-/* Takes the lamps, at most the MOST_LAMPS brightest, out of the environment. Each gets a ray from every place, so that
-   its light is noisy only if the lamp is half hidden. Rows at the poles have no lamps: hats are wider there. */
+/* Takes the lamps, at most the MOST_LAMPS brightest, out of the environment. Each place sends a ray to every lamp, so
+   that a lamp's light is noisy only if it is half hidden. Rows at the poles have no lamps: hats are wider there. */
 static int lamps_begin(kit_truth *job, kit_image *rest, kit_error *err)
 {
     const kit_image *env = &job->lighting->env;
@@ -195,7 +195,7 @@ static void add_light(const kit_truth *job, const kit_place *at, const kit_light
     const double length = sqrt(kit_facing(to, to)),
                  weight = kit_facing(at->n, to) / length / KIT_PI / (sun ? 1 : length * length);
     if (!(weight > 0) || !isfinite(weight)) return;
-    /* a surface around the light does not shadow it */
+    /* so that a surface around the lamp itself does not shadow it */
     const float all = sun ? INFINITY : 0.99999f, reach = job->lighting->reach;
     if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, reach > 0 ? fminf(all, reach / (float)length) : all))
         return;

@@ -32,8 +32,8 @@ static int jumps(const line *l, int i)
     return off > fmax(l->least, 0.002 * fmin((double)a, (double)b));
 }
 
-/* Marks each pixel beside a jump and the next two. The outermost pairs are not tested, because their outer neighbours
-   are unknown. */
+/* Marks the pixels beside each jump and the next two. The outermost pairs are not tested, because their outer
+   neighbours are unknown. */
 static void mark(float *edge, const line *l)
 {
     for (int i = 1; i + 2 < l->count; ++i) {

@@ -54,7 +54,7 @@ static void scatter_pixel(const kit_truth *job, uint32_t pixel, const kit_place 
         for (const size_t end = i + 256 < s->samples ? i + 256 : s->samples; i < end; ++i) {
             const float *p = s->sample + 8 * i, x = p[0] - at->origin[0], y = p[1] - at->origin[1],
                         z = p[2] - at->origin[2];
-            /* no distance exceeds the bounds' diagonal */
+            /* d stays in the table: no distance exceeds the bounds' diagonal */
             const float d = s->per_unit * sqrtf(x * x + y * y + z * z), t = d - (float)(int)d, *a = s->table[(int)d];
             for (int c = 0; c < 4; ++c) sum[c] += p[4 + c] * (a[c] + t * (a[4 + c] - a[c]));
         }

@@ -48,7 +48,7 @@ void kit_around(const float n[3], float x, float y, float z, float d[3])
 
 void kit_cosine_direction(const float n[3], const float at[2], float d[3])
 {
-    /* square to disc by rings [Shirley and Chiu 1997], disc to cosine-weighted hemisphere [Malley] */
+    /* maps the square to a disc by rings [Shirley and Chiu 1997], the disc to a cosine-weighted hemisphere [Malley] */
     const float u = 2 * at[0] - 1, v = 2 * at[1] - 1;
     const int   wide = fabsf(u) > fabsf(v);
     const float ring = wide ? u : v, turn = ring != 0 ? 0.785398163f * (wide ? v / u : u / v) : 0.0f;

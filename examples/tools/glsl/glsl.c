@@ -107,7 +107,7 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
 
 /* ---- >>chains ---------------------------------------------------------------------------------------------------- */
 
-/* Writes a chain's shaders in a dialect. 0: written, or the dialect lacks a feature of the chain (*err names it). */
+/* Writes a chain's shaders in a dialect. Returns 0 also if the dialect lacks a feature of the chain (*err names it). */
 static int write_chain(const char *folder, const char *name, const char *about, const ssgi_gl_chain *chain, int dialect,
                        kit_error *err)
 {
@@ -393,7 +393,7 @@ static int write_all(const char *folder, int alone, kit_error *err)
                 }
     for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
         if ((alone < 0 || alone == dialect) && write_named_chains(folder, dialect, err)) return -1;
-    for (int bands = 0; bands <= 4; ++bands) {      /* 0: the functions for reflections */
+    for (int bands = 0; bands <= 4; ++bands) {      /* 0 bands: the functions for reflections */
         const size_t n = bands ? ssgi_gl_sh(NULL, 0, bands) : ssgi_gl_reflection(NULL, 0);
         char *text = malloc(n + 1), path[1024];
         if (text && bands) ssgi_gl_sh(text, n + 1, bands);

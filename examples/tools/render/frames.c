@@ -66,7 +66,7 @@ static int sequence_read(sequence *s, const char *path, kit_error *err)
     return s->lines ? 0 : kit_fail(err, "--sequence %s: names no frame", path);
 }
 
-/* Opens the G-buffer of a line. */
+/* Opens the G-buffer of the frame that a line of the sequence names. */
 static int open_line(kit_gbuffer *g, job *j, const line *l, kit_error *err)
 {
     const options *o = &j->o;

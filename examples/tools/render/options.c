@@ -205,12 +205,12 @@ static int take_radius(options *o, const char *name, const char *text, kit_error
     return 0;
 }
 
-/* An option: the function that takes its value, or the member that gets it. FLAG: no value; NUMBERS: `least` numbers;
-   LIST: appended to at most `most`, with member `said` as their count; for other kinds `said`, unless 0, becomes 1. */
+/* An option: the function that takes its value, or the member of options that gets it. FLAG: no value; NUMBERS: `least`
+   of them; LIST: appended to at most `most`, with member `said` as count; else `said`, unless 0, becomes 1. */
 typedef struct option {
     const char *name;
     enum { TAKEN, FLAG, TEXT, WHOLE, NUMBER, NUMBERS, LIST } kind;
-    size_t      at;                        /* int, const char *, int, double, double[], const char *[] */
+    size_t      at;                  /* offset of an int, const char *, int, double, double[], const char *[] by kind */
     double      least, most;
     size_t      said;
     int       (*take)(options *o, const char *name, const char *text, kit_error *err);

@@ -9,7 +9,7 @@
 enum { RENDER_SETS = 32 };
 
 typedef struct options {
-    /* the input: a scene, a frame, or a list of frames */
+    /* the input: a scene, a frame, or a list of frames; its light */
     const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
     const char *layer, *channel[RENDER_SETS];          /* names in another program's frame */
     int         channels, lights, ground, flat, frames, still, width, height;
@@ -22,11 +22,11 @@ typedef struct options {
     /* how */
     const char *method, *set[RENDER_SETS], *context;
     int         sets, truth, floor;        /* sets: number of --set; truth, floor: rays a pixel, 0: not asked for */
-    double      radius;                    /* 0: the scene's own, or a guess */
-    int         guess;                     /* 1: guessed from the local maxima of the mesh's y */
+    double      radius;                    /* in world units; 0: the scene's own, or a guess */
+    int         guess;                     /* 1: the radius is guessed from the local maxima of the mesh's y */
     int         planned;                   /* SSGI_PLAN_WANTED_.. plus 1; 0: not asked for */
     double      plan[2];                   /* error, budget */
-    int         plan_in_ms;                /* the budget is milliseconds of an RX 6800 */
+    int         plan_in_ms;                /* 1: the budget is in modelled milliseconds of an RX 6800 */
     /* the output */
     const char *out, *score, *save, *listed;
     int         time, json, list, help, version, colours, backdrop;

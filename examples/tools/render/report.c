@@ -17,7 +17,7 @@ int render_score(result *r, const char *path, const kit_camera *camera, double r
     int status = 0;
     const float *mask = kit_image_channel(&r->frame, "Z");
     if (kit_exr_read(&reference, path, err)) return -1;
-    /* Other programs write grey as three equal channels R, G and B. */
+    /* a reference may have grey as three equal channels R, G and B */
     for (int c = 0; c < reference.channels && !r->lit && !kit_image_channel(&reference, "Y"); ++c)
         if (!strcmp(reference.name[c], "R")) snprintf(reference.name[c], sizeof reference.name[c], "Y");
     for (int i = r->lit; i < (r->lit ? 10 : 1); ++i)
