@@ -15,7 +15,7 @@
 #define SSGI_GL_IMPLEMENTATION
 #include "../../ssgi_gl.h"
 
-/* (2) LoadRenderTexture makes depth a renderbuffer, which shaders cannot read; this makes it a texture. */
+/* (2) Makes a target whose depth is a texture: LoadRenderTexture makes it a renderbuffer, which shaders cannot read. */
 static RenderTexture2D load_target(int width, int height)
 {
     RenderTexture2D target = { .id = rlLoadFramebuffer() };

@@ -73,7 +73,7 @@ struct gpu {
     vk::raii::Queue queue = nullptr;
     vk::raii::CommandPool pool = nullptr;
     vk::raii::CommandBuffer commands = nullptr;
-    /* the same for all programs, in set `set`: blocks from binding 0 on, then textures; the sets before it are empty */
+    /* every program's bindings, in set `set`: blocks from binding 0 on, then textures; the sets before it are empty */
     vk::raii::DescriptorSetLayout bindings = nullptr, nothing = nullptr;
     vk::raii::PipelineLayout layout = nullptr;
     uint32_t set;

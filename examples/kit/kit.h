@@ -52,14 +52,14 @@ int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line u
 /* Opens a regular file that is not empty and writes its size, for callers that check the file's start before they read
    the rest. Returns NULL if it cannot be opened. The caller calls fclose(). */
 FILE  *kit_file_open(size_t *size, const char *path, kit_error *err);
-/* Reads such a file whole and puts a 0 byte after its content. The caller calls free(data). */
+/* Reads a file that kit_file_open takes whole and puts a 0 byte after its content. The caller calls free(data). */
 int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);
 /* Writes the whole file or nothing: it writes a temporary file in the same folder and renames it. Signals other than
    SIGKILL are held back until that is done (other threads must have them blocked). A file that exists keeps its mode
    and, if the system allows it, its owner. */
 int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);
-/* The first writes a string with its quotes; bytes that are not UTF-8 become U+FFFD. The second writes a number with
-   `decimals` decimals, or -decimals significant digits if that is below 0; null if it is not finite. */
+/* kit_json_string writes a string with its quotes; bytes that are not UTF-8 become U+FFFD. kit_json_number writes
+   `decimals` decimals, or -decimals significant digits if that is below 0; null if v is not finite. */
 void   kit_json_string(FILE *out, const char *text);
 void   kit_json_number(FILE *out, double v, int decimals);
 /* Prints the words of a text, the first at `column`, in lines of at most `most` characters. Later lines begin at
@@ -105,12 +105,12 @@ int    kit_image_new(kit_image *image, int width, int height, const char *names,
 void   kit_image_free(kit_image *image);         /* frees the pixels and sets the struct to zero; may be called again */
 float *kit_image_channel(const kit_image *image, const char *name);      /* returns NULL if there is no such channel */
 
-/* EXR by OpenEXR's C core. Every channel (half, float, uint; any order; scanlines or tiles) is read as float; look
-   channels up by name. Refused are deep and subsampled files and those that the C core cannot decompress (DWAA, DWAB in
-   3.1). Of a file with several parts, the flat ones of the first view are read, on a window that holds all of theirs; a
-   channel whose name an earlier part has is called PART.NAME. A header that claims more than the file's bytes can hold
-   is refused before memory is allocated. Files are written as 32-bit float, ZIP, to a temporary name in the same
-   folder, then renamed: never half-written. */
+/* Reads and writes EXR by OpenEXR's C core. Every channel (half, float, uint; any order; scanlines or tiles) is read as
+   float; look channels up by name. Refused are deep and subsampled files and those that the C core cannot decompress
+   (DWAA, DWAB in 3.1). Of a file with several parts, the flat ones of the first view are read, on a window that holds
+   all of theirs; a channel whose name an earlier part has is called PART.NAME. A header that claims more than the
+   file's bytes can hold is refused before memory is allocated. Files are written as 32-bit float, ZIP, to a temporary
+   name in the same folder, then renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
 
@@ -154,7 +154,7 @@ int    kit_png_write(const kit_image *image, const char *names, int srgb, const 
 typedef struct kit_score { double rmse, bias, p95, ssim; size_t pixels; } kit_score;
 int kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask,
                       kit_error *err);
-/* Scores `count` channels together: rmse is the root of their mean square; the rest are the channels' means. */
+/* Scores `count` channels together: rmse is the root of their mean square, other figures are means over channels. */
 int kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b, const char *const *channels, int count,
                        const float *mask, kit_error *err);
 
@@ -239,7 +239,7 @@ typedef struct kit_scene {
     kit_mesh   *shape;
 } kit_scene;
 
-/* name_or_path is one of:
+/* Loads a scene. name_or_path is one of:
      a built-in scene ("room")
      a scene by seed ("random:7", "random:streets:7"), the same on every machine; "random:SEED" has kind SEED modulo
      KIT_KINDS
@@ -316,10 +316,10 @@ int  kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_e
 void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[3]);
 /* Convert between a direction and its place in the environment's image, in texels from the top left corner: the centre
    of the first texel is (0.5, 0.5). */
-/* at: in [0, width] x [0, height]; direction need not be unit */
+/* at: in texels, in [0, width] x [0, height]; direction need not be unit */
 void kit_env_place(const kit_image *env, const float direction[3], double at[2]);
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3]);  /* unit */
-/* Returns it as three floats a texel, row by row, as ssgi.h takes it. The caller calls free(). NULL: no memory. */
+/* Returns an environment as three floats a texel, row by row, for ssgi.h; NULL: no memory. The caller calls free(). */
 float *kit_env_interleaved(const kit_image *env);
 
 /* Published scattering constants [JMLH01 figure 5], per millimetre. The function gives the i-th; NULL past the last. */
@@ -344,7 +344,7 @@ void kit_camera_from_header(kit_camera *camera, const kit_header *header);
 /* Writes the ray through the centre of the pixel in column x, row y counted from the TOP. direction is unit; origin is
    the eye (perspective) or on the plane of the eye (orthographic). */
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);
-/* Writes the world-space point that pixel (x, y), counted as above, shows at a view depth. */
+/* Writes the world-space point that is seen at a view depth in the pixel in column x, row y counted from the top. */
 void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3]);
 /* Returns the projection of a radius in image heights, a mean over the pixels that show a surface. */
 double kit_screen_radius(const kit_image *frame, const kit_camera *camera, float radius);
@@ -360,7 +360,7 @@ enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
 int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation,
                  int rays, int stride, kit_error *err);
 
-/* Ray-traces two such images with linear attenuation, in the channels "Y" and "again", whose noise is independent. The
+/* Ray-traces visibility with linear attenuation twice, in the channels "Y" and "again", whose noise is independent. The
    mean product of an image's differences from both is its squared error, without the noise of the ground truth. */
 int kit_truth_pair(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int rays,
                    kit_error *err);

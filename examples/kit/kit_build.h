@@ -66,7 +66,7 @@ void   kit_begin_object(kit_build *b, const char *name, int casts);
 void   kit_mesh_bounds(kit_mesh *mesh);
 /* Writes object k's triangles and bounds for the transform m, but not the mesh's bounds. */
 void   kit_set_place(kit_scene *s, int k, const float m[16]);
-/* Does the same, with the object raised until it is above a level. */
+/* Writes object k's triangles and bounds for m, raised until the object is above a level. */
 void   kit_place_above(kit_scene *s, int k, const float m[16], double level);
 /* Makes object k's present triangles a shape of its own. */
 int    kit_own_shape(kit_scene *s, int k);

@@ -105,7 +105,7 @@ GLuint      kit_program(const char *const *source, const GLenum *stage, int coun
    context, then head (#define lines or ""). */
 GLuint      kit_program_text(const char *head, const char *vertex, const char *fragment, kit_error *err);
 
-/* A cache of programs by a hash of their source, as long as the context lives. kept returns 0 if it has none. */
+/* Keep programs in a cache by a hash of their source, as long as the context lives. kept returns 0 if it has none. */
 GLuint      kit_program_kept(uint64_t key);
 int         kit_program_keep(uint64_t key, GLuint program, kit_error *err);
 GLuint      kit_program_kept_text(const char *head, const char *vertex, const char *fragment, kit_error *err);
@@ -158,8 +158,8 @@ typedef struct kit_gbuffer {
 int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4],
                            kit_error *err);
 
-/* keep uploads a scene's triangles once, for the G-buffers and shadow maps of many frames. Call forget before the
-   triangles change or are freed, and before the context closes. One mesh at a time. */
+/* kit_mesh_keep uploads a scene's triangles once, for the G-buffers and shadow maps of many frames. Call
+   kit_mesh_forget before the triangles change or are freed, and before the context closes. One mesh at a time. */
 int  kit_mesh_keep(const kit_mesh *mesh, kit_error *err);
 void kit_mesh_forget(void);
 /* Returns the kept mesh, ready to be drawn by attribute 0, its position, until kit_soup_rest; NULL: not kept. */
@@ -195,8 +195,8 @@ int  kit_frame_rename(kit_image *frame, const char *const *channel, int channels
    camera takes the frame's size, and planes around Z if its own are 0. */
 int  kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
-/* The inverse of kit_gbuffer_from_frame, for the viewport: reads those channels of all layers, and direct.R/G/B and
-   slabs if the G-buffer has them; background is 0 in all. */
+/* Reads a G-buffer back as a frame, without the margin: the channels of all layers that kit_gbuffer_from_frame takes,
+   direct.R/G/B and slabs if the G-buffer has them; background is 0 in all. */
 int  kit_gbuffer_read(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);
 int  kit_gbuffer_read_depth(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);     /* Z alone */
 void kit_gbuffer_free(kit_gbuffer *gbuffer);
@@ -228,7 +228,7 @@ int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, cons
    failure. seconds: the time of the bake; may be NULL. desc's callbacks are ignored. */
 const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err);
 void   kit_fields_free(void);
-/* share: the number of pixels that each occluder's field reaches, summed over the occluders, over all pixels. */
+/* Writes the number of pixels that each occluder's field reaches, summed over the occluders, over all pixels. */
 int    kit_fields_cover(double *share, const kit_image *frame, const kit_camera *camera, const kit_scene *scene,
                         const ssgi_field_desc *desc, kit_error *err);
 /* Makes the texture t_ssgi_fields: count fields, one in each array layer. */
@@ -336,7 +336,7 @@ typedef struct kit_pass {
     int                aside;              /* 1: computes a part of the result, for tests; not timed nor counted */
     int                width, height;
     int                box[4];             /* x, y, width, height of the part of its targets that is drawn; 0 = all */
-    ssgi_gl_io        *io;                 /* its inputs and outputs: a table of `rows` rows */
+    ssgi_gl_io        *io;                 /* the pass's inputs and outputs: a table of `rows` rows */
     int                rows;
     double             ms;                 /* milliseconds in the last kit_run_draw with KIT_PASSES */
 } kit_pass;
@@ -391,7 +391,7 @@ void kit_run_update(kit_run *run);         /* uploads run->frame */
    all in one, as an engine's frame; passes that only show a part of the result are then not drawn. */
 enum { KIT_UNTIMED, KIT_PASSES, KIT_FRAME };
 void kit_run_draw(kit_run *run, int timed);
-double kit_pass_bytes(const kit_run *run, const kit_pass *pass);   /* returns its bytes in one frame; see run->bytes */
+double kit_pass_bytes(const kit_run *run, const kit_pass *pass);   /* the pass's bytes in one frame; see run->bytes */
 /* Returns the texture that inputs of that name read in the run; 0: no pass reads it. instead, if not 0, replaces it. */
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
 double kit_run_ms(const kit_run *run);     /* returns the sum over the passes of the last timed draw */
@@ -441,8 +441,8 @@ int  kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_e
    is a scene, a calibration by ray tracing and the cost of its surfels; the environment's harmonics. */
 int kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted,
                      kit_error *err);
-/* The first writes a plan as a chain: the desc of ssgi_gl_plan, and the members that it leaves to its caller; the
-   second as a method. Both fail for a plan of NOTHING. */
+/* kit_plan_chain writes a plan as a chain: the desc of ssgi_gl_plan, and the members that it leaves to its caller.
+   kit_plan_method writes it as a method. Both fail for a plan of NOTHING. */
 int  kit_plan_chain(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit_error *err);
 int  kit_plan_method(kit_method *method, const ssgi_plan *plan, int wanted, kit_error *err);
 /* Returns that method's name; NULL for NOTHING. set gets what differs from its defaults, for kit_method_set. */
@@ -453,7 +453,7 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
 /* Turns ambient visibility (channel Y) into light (KIT_LIT_CHANNELS): the light of open surfaces times visibility,
    except for direct, which is not dimmed (NULL: none). */
 int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err);
-/* Does the same with the environment's light on open surfaces, dimmed, and the lights with their shadows. */
+/* Turns ambient visibility into light: the environment's on open surfaces, dimmed, and lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
 
 /* ---- >>passes ----------------------------------------------------------------------------------------------- */

@@ -62,7 +62,7 @@ static inline uint32_t kit_scramble(uint32_t reversed, uint32_t seed)
 /* Checks the arguments and fills a, except for its member trace; the caller frees points. */
 int    kit_ambient_begin(kit_ambient *a, float radius, int attenuation, int rays, const char *what, kit_error *err);
 void   kit_ambient_point(const kit_ambient *a, uint32_t i, uint32_t seed, float at[2]);      /* in [0,1)^2 */
-/* Write a direction: that with coordinates x, y, z about n; the cosine-weighted one of a point in [0,1)^2. */
+/* kit_around writes direction x, y, z in axes about n; the other a cosine-weighted one of a point in [0,1)^2. */
 void   kit_around(const float n[3], float x, float y, float z, float d[3]);
 void   kit_cosine_direction(const float n[3], const float at[2], float d[3]);
 /* Returns the part of a direction's light that the nearest hit within radius blocks, [0,1]; hit may be NULL. */

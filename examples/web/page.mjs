@@ -357,7 +357,7 @@ async function openFiles(files) {
     } catch (e) {
         if (mine !== opening) return;
         notice(e.message);
-        if (stage.info?.name !== set.scene) openScene();    /* its own opening was cancelled */
+        if (stage.info?.name !== set.scene) openScene();    /* this cancelled its opening */
     } finally {
         if (mine === opening) loading(null);
     }

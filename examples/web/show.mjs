@@ -41,7 +41,7 @@ export class Show {
     }
 
     /* Draws a shader's triangle into a target with its uniforms and textures. mean: 0: replaces the content; n: makes
-       it the mean of n such images. */
+       it the mean of n images. */
     #draw(name, { framebuffer, width, height }, numbers, textures, mean = 0) {
         const gl = this.#gl, data = new Float32Array(Math.ceil(numbers.length / 4) * 4);
         data.set(numbers);

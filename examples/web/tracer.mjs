@@ -115,7 +115,7 @@ function round(k, firstRow, rows) {
     }
 }
 
-/* Returns the summed squared errors of no occlusion, computed from both halves as above. */
+/* Returns the summed squared errors of no occlusion, each the product of the errors against halves A and B. */
 function ofNone() {
     const { sums: [a, b], taken: [c, d], n, round: rays } = job, k = 2 / rays;
     let visibility = 0, light = 0, pixels = 0;

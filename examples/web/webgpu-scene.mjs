@@ -130,7 +130,7 @@ const wraps = { [THREE.RepeatWrapping]: 'repeat', [THREE.ClampToEdgeWrapping]: '
 export class Scene {
     #device; #layouts; #pipelines; #frame; #sun; #shadow; #parts = null; #room = 0; #white; #size = {};
     #target = null; #back = []; #slabs = null; #materials = new WeakMap();
-    #textures = new Map(); #geometries = new Map();     /* by three's objects, freed with these */
+    #textures = new Map(); #geometries = new Map();     /* keys: three's textures and geometries */
     #samplers = new Map(); #shadowed = false;
 
     constructor(device) {

@@ -17,8 +17,8 @@ function pipelineOf(device, code, format, blends) {
     return all.get(key);
 }
 
-/* Draws it. code: of the fragment shader; bound: the resources of its bindings in order. mean: 0: replaces the content;
-   n: makes it the mean of n such images. */
+/* Draws the triangle. code: of the fragment shader; bound: its bindings' resources in order. mean: 0: replaces the
+   content; n: makes it the mean of n images. */
 export function drawTriangle(device, encoder, code, { view, format }, bound, mean = 0) {
     const pipeline = pipelineOf(device, code, format, mean > 1);
     const pass = encoder.beginRenderPass({ colorAttachments: [

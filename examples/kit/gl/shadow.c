@@ -109,7 +109,7 @@ static kit_camera camera_of(const kit_light *light, const double direction[3], i
     }
     if (light->kind == KIT_SUN) {
         float view[16], projection[16];
-        /* its axes alone are used, along which the bounds' extent is measured */
+        /* only the camera's axes are used, along which the bounds' extent is measured */
         kit_camera_matrices(&camera, view, projection);
         for (int r = 0; r < 2; r++) {
             double extent = 0;

@@ -303,7 +303,7 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     return 0;
 }
 
-/* A run that was never opened holds nothing, and there may be no context: GL is called only for existing objects. */
+/* Frees a run. One that was never opened holds nothing, and there may be no context: GL frees only what exists. */
 void kit_run_close(kit_run *run)
 {
     for (int i = 0; i < run->passes; ++i) {

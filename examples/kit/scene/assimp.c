@@ -102,7 +102,7 @@ typedef struct reader {
     look *looks;        /* one a material */
     double cells;       /* how many squares a card is cut into at most */
     size_t meshes, triangles;
-    float *position, *normal; /* of the present mesh, 3 a vertex, in world space */
+    float *position, *normal; /* of the mesh that is being added, 3 a vertex, in world space */
     char *used;               /* 1: a triangle uses the vertex */
     double weight[MOST_WEIGHTS]; /* weights of the morphs of the node that is being read */
     size_t weights;              /* number of these; 0: the node has none of its own */

@@ -362,7 +362,7 @@ static void bounds_of_faces(const obj *o, float lower[3], float upper[3])
     }
 }
 
-/* If vertices are far from 0, reads them again, in double, about their middle. */
+/* Reads vertices that are far from 0 again, in double, about their middle. */
 static int move_origin(obj *o)
 {
     float lower[3], upper[3];

@@ -47,8 +47,8 @@ static int prefix_of(const char *name)
 
 int kit_scene_seeded(const char *name) { return prefix_of(name) >= 0; }
 
-/* "random:7", "random:streets:7", "model:chair", "model:scopia/chair:7": Splits a name. word gets the part before the
-   seed, without the prefix; a missing seed is 0. */
+/* Splits "random:7", "random:streets:7", "model:chair" or "model:scopia/chair:7": word gets the part before the seed,
+   without the prefix; a missing seed is 0. */
 static int parse(int64_t *seed, char word[WORD], const char *name, kit_error *err)
 {
     const char *const rest = name + strlen(prefixes[prefix_of(name)]), *const colon = strrchr(rest, ':'),

@@ -255,7 +255,7 @@ static void lit_pixel(const kit_truth *job, uint32_t pixel, const kit_place *at,
     }
 }
 
-/* Runs a job of light. job: the caller sets pixel and the members that it reads. */
+/* Ray-traces an image of light. job: the caller sets pixel and the members that pixel reads. */
 static int lit_run(kit_truth *job, kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius,
                    int attenuation, int rays, int stride, kit_error *err)
 {

@@ -27,7 +27,7 @@ const every = {
     filter: [-1, 0, 1, 2, 3, 4],
     history: [false, true], moves: [false, true], bounce: [false, true], sun: [false, true], precise: [0, 1]
 };
-/* The same for shaders of pass LIGHTS and of the passes that it changes; all other settings have their defaults. */
+/* The settings that change shaders of pass LIGHTS and of the passes about it; all others have their defaults. */
 const ofLights = {
     name: every.name.filter(name => methods[name].light), preset: ['BALANCED'], shadow: Object.keys(shadows),
     normals: every.normals, history: every.history, bounce: every.bounce, precise: every.precise
