@@ -18,7 +18,7 @@ enum { WIDTH = 960, HEIGHT = 540 };
 
 static const char version[] = "#version 330 core\n";
 
-/* ---- the engine's shaders: boxes.h's, lit in one pass, and a sheet of glass or board */
+/* ---- the engine's shaders: for the boxes, lit in one pass, and for a sheet of glass or board */
 static const char sheet_vertex[] =
     "uniform mat4 projection; uniform vec3 corner[3]; flat out vec3 normal;\n"
     "void main() {\n"

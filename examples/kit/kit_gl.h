@@ -250,17 +250,17 @@ typedef struct kit_settings {
     /* these members choose the samples of a gather */
     int    slices, directions, samples, normal_rays, march_terms, growing_sphere, sets, uniform_directions;
     int    resolution, range_check, noise;
-    double offset, phase;                  /* half pixels; [0, 1] */
+    double offset, phase;                  /* offset: in half pixels; phase: of the noise, [0, 1] */
     int    layers, views, view_layers, view_size;
     double margin;                         /* radii */
     /* how much they occlude */
     int    thickness, falloff, fade, normal, left_handed, facets, lift;
-    double thickness_limit, fade_from, lambda;   /* in radii; in radii; a rate per radius */
+    double thickness_limit, fade_from, lambda;   /* in radii; in radii; a rate of decay per radius */
     /* filters */
     int    blur, filter, filter_normals, restore, history;
     /* light */
     int    environment, bounce, reuse, bounced, two_sided, one_sided, shadows, points, solid, shadow_size, suns, vpls;
-    double clamp, distance_clamp, gain, max_slope;    /* in radii; 1 = a sample's own area; a slope */
+    double clamp, distance_clamp, gain, max_slope;    /* a luminance; in radii; a factor of a sample's area; a slope */
     /* settings of methods of light as spherical harmonics, or by bent normals */
     int    bands, store, indirect, occluded_emitters, filtered, residual, window, lights, cone, lobes;
     /* fields */
@@ -417,7 +417,7 @@ typedef struct kit_frames {
     unsigned number;                       /* index of the next frame, which selects its noise; the first may be any */
     unsigned since;                        /* number of consecutive frames up to now, including the present one */
     /* duration of the next frame in 60ths of a second; KIT_MEMORY of these are averaged. 0: 16 frames are averaged */
-    float elapsed, took;                   /* took: kit_frames_next's own */
+    float elapsed, took;                   /* took: set by kit_frames_next */
     int jittered;                          /* 1: camera.shift is jitter of the projection, not motion */
 } kit_frames;
 #define KIT_MEMORY 16.0f

@@ -107,7 +107,7 @@ typedef struct viewer {
     char         note[1200], title[300];
     double       noted, titled;
     const char  *shot;
-    int          frames, command, asks;     /* print the command line: at the end; after the next frame */
+    int          frames, command, asks;     /* command, asks: print the command line at the end; after the next frame */
     kit_error    err;
 } viewer;
 

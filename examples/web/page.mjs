@@ -858,7 +858,7 @@ function frameFile() {
     const { projectionMatrix, matrixWorldInverse } = stage.camera, p = projectionMatrix.elements;
     const { width, height } = size, worldToCamera = matrixWorldInverse.elements.map((v, i) => i % 4 === 2 ? 0 - v : v);
     const [x, y, z] = stage.info.origin ?? [0, 0, 0], far = x || y || z;
-    for (let i = 12; i < 15; ++i)                       /* relative to the model's own coordinates */
+    for (let i = 12; i < 15; ++i)                       /* moves the camera's matrix to the model's own origin */
         worldToCamera[i] -= x * worldToCamera[i - 12] + y * worldToCamera[i - 8] + z * worldToCamera[i - 4];
     const precise = far ? { 'ssgi.worldToCamera': new Float64Array(worldToCamera) } : {};
     const channels = own.show.frame(width, height, drawn, decodeOf());

@@ -218,7 +218,7 @@ static int has_extension(const char *name)
     return 0;
 }
 
-/* Loads GL's functions. Its version decides if one exists: libglvnd has a pointer for any name that begins with gl. */
+/* Loads GL's functions that GL's version has: libglvnd returns a pointer for any name that begins with gl. */
 static int load(kit_error *err)
 {
     function (*const proc)(const char *) = gl.proc;

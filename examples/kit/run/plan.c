@@ -47,7 +47,7 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
         && ssgi_trace_build(&trace, memory, size, scene->mesh.position, 3 * sizeof(float), NULL, triangles, &why)
                != SSGI_OK)
         failed = kit_fail(err, "%s", why);
-    /* pixels by the R2 sequence over the image */
+    /* the pixels are those of the R2 sequence over the image */
     for (int i = 0; i < 20 * PLACES && count < PLACES && !failed; ++i) {
         const int x = (int)(fmod(0.7548776662466927 * (i + 1), 1) * frame->width),
                   y = (int)(fmod(0.5698402909980532 * (i + 1), 1) * frame->height);
