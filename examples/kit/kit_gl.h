@@ -462,7 +462,7 @@ int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);
 /* Binds the samplers and block of a program that has the rows of a pass. */
 void   kit_pass_bind(GLuint program, const ssgi_gl_io *io, int rows);
-/* Gives a pass the rows of its desc, and a program if it has none. */
+/* Sets a pass's table of inputs and outputs by its desc, and links its program if it has none. */
 int    kit_pass_make(kit_pass *pass, kit_error *err);
 int    kit_dialect(void);
 /* Returns SSGI_GL_COMPUTE_ALL if KIT_COMPUTE is in the environment and the context is desktop GL: gathers and filters,

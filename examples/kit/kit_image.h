@@ -4,7 +4,7 @@
 
 #include "kit/kit.h"
 
-enum { KIT_ZIP_LEVEL = 4 };            /* of zlib in EXR: twice as fast as its default 6, files a few per cent larger */
+enum { KIT_ZIP_LEVEL = 4 };            /* of zlib in EXR files: twice as fast as level 6, files a few per cent larger */
 
 /* A file that is built in memory before it is written. */
 typedef struct kit_memory_file { char *data; size_t size, capacity; } kit_memory_file;

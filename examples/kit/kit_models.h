@@ -23,9 +23,9 @@ typedef struct kit_gltf {
     kit_array node;                        /* const char * */
 } kit_gltf;
 
-/* Reads its JSON alone; the caller calls free(data). */
+/* Reads a glTF's JSON alone; the caller calls free(data). */
 int kit_gltf_text(kit_gltf *g, const char *path, kit_error *err);
-/* Reads its JSON and nodes; if the file is damaged, the nodes before the damage. */
+/* Reads a glTF's JSON and nodes; if the file is damaged, the nodes before the damage. */
 int kit_gltf_open(kit_gltf *g, const char *path, kit_error *err);
 void kit_gltf_close(kit_gltf *g);
 /* Return a part of a JSON value, which may be NULL: its member of a name; its first element, and the next element.

@@ -82,7 +82,7 @@ int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere
 
 /* ---- >>lights */
 
-/* light: in world space; camera: of its shadow map; mapped: whether it has one */
+/* light: in world space; camera: that of the light's shadow map; mapped: 1 if the light has such a map */
 typedef struct kit_placed_light { ssgi_gl_light light; kit_camera camera; int mapped; } kit_placed_light;
 /* Returns all lights of the world: first the direct ones, of --light and the environment's suns, then virtual point
    lights. A --light's sun has maps that cover the near part of the visible surfaces, all of them, and, for extra

@@ -243,7 +243,7 @@ static int replace(int folder, const char *base, const struct stat *was, const v
     if (file < 0) return errno;
     int failed = write_all(file, data, size);
     if (was) {
-        /* the system may refuse it; the mode is then within the old file's */
+        /* the system may refuse a change of owner; the file's mode is then no wider than the old one's */
         (void)!fchown(file, was->st_uid, was->st_gid);
         (void)!fchmod(file, was->st_mode & 0777);
     }

@@ -49,7 +49,7 @@ typedef struct side {
     kit_frames frames;
     GLuint     picture, framebuffer;        /* visibility or radiance before its display; alpha 0 in the background */
     double     error;                       /* RMSE against the ground truth; NAN: not known */
-    kit_error  failed;                      /* error message if its method cannot be drawn; "": it can */
+    kit_error  failed;                      /* why the side's method cannot be drawn; "": it can */
 } side;
 
 typedef struct light {

@@ -1044,7 +1044,7 @@ function showText() {
 let told = false, whole = false;                    /* told: the first image was shown; whole: at its full size */
 function first() {
     if (whole) return;
-    /* reading a pixel waits until it is drawn */
+    /* reading a pixel waits until the image is drawn */
     if (!gpu) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     performance.mark(told ? 'in its size' : 'first picture');
     whole = told || !software;
@@ -1105,7 +1105,7 @@ async function savePicture() {
     (gpu?.canvas ?? canvas).toBlob(blob => { if (blob) saved('ssgi.png', blob); });
 }
 
-/* The attributes that three.js would ask for: it is given this context. */
+/* The attributes of a WebGL context that three.js would ask for: three.js is given this context. */
 const contextLike = { alpha: true, depth: true, stencil: false, antialias: false, premultipliedAlpha: true,
                       preserveDrawingBuffer: false, powerPreference: 'high-performance' };
 function lacks() {

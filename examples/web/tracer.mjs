@@ -31,7 +31,7 @@ function place(eye, way, origin, n) {
         facing += n[i] * face[i] * side;
     }
     length = (facing < 0 ? -1 : 1) / (Math.sqrt(length) || 1);
-    let far = 0;                                    /* the hit's rounding grows with all of these */
+    let far = 0;                                    /* the hit's rounding grows with these coordinates */
     for (let i = 0; i < 3; ++i)
         far = Math.max(far, Math.abs(eye[i]), Math.abs(way[i] * hit.t), Math.abs(eye[i] + way[i] * hit.t));
     for (let i = 0; i < 3; ++i) {

@@ -17,7 +17,7 @@ export class Truth {
     constructor(changed) {
         this.changed = changed;
     }
-    get rays() { return this.#shown?.rays ?? 0; }   /* the least number over its pixels */
+    get rays() { return this.#shown?.rays ?? 0; }   /* the least number of rays over the image's pixels */
     get step() { return this.#shown?.step ?? 0; }   /* pixels between its pixels */
     get width() { return this.#shown?.width ?? 0; }
     get height() { return this.#shown?.height ?? 0; }

@@ -406,7 +406,7 @@ int kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, k
     return 0;
 }
 
-/* Sets the camera's planes from the frame's depths if they are 0. */
+/* Sets the camera's near and far planes, if they are 0, from the frame's depths. */
 static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
 {
     float nearest = FLT_MAX, farthest = 0;

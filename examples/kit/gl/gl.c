@@ -430,7 +430,7 @@ static int read_colour(int width, int height, float *data)
                                           GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
     if (type == GL_UNSIGNED_INT) glReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, data);
     else if (type != GL_UNSIGNED_NORMALIZED || !gl.es) glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, data);
-    else {                                 /* only bytes can always be read; the kit has no wider format of this kind */
+    else {                                 /* GLES reads normalised texels as bytes only; the kit has no wider ones */
         uint8_t *bytes = malloc(texels * 4);
         if (!bytes) return -1;
         glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);

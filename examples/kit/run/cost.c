@@ -35,7 +35,7 @@ static double row_bytes(const kit_run *run, const kit_pass *p, const ssgi_gl_io 
     /* A pass without targets of its own draws into an array layer. */
     const GLuint texture = in ? kit_pass_texture(run, p, io->name) : p->target[0] ? p->target[io->slot] : p->slices;
     if (!texture) return 0;
-    /* Farther layers of the G-buffer count only if the pass reads them. */
+    /* Of the farther layers of the G-buffer the pass reads as many as its gather has. */
     const int slices = texture == g->layer_depth ? p->desc.gather.layers - 1
                                                  : texture == g->layer_normal || texture == g->layer_albedo;
     const double texel =

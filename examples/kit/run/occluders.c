@@ -73,7 +73,7 @@ static int add_occluders(kit_making *m, occluders *all, const float picture[16])
     return 0;
 }
 
-/* Makes t_ssgi_cap if the settings ask for it. */
+/* Makes the texture t_ssgi_cap if the settings ask for it. */
 static int add_cap_table(kit_making *m)
 {
     const int size = m->set->cap_table;

@@ -53,7 +53,7 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
                   y = (int)(fmod(0.5698402909980532 * (i + 1), 1) * frame->height);
         const size_t at = (size_t)y * (size_t)frame->width + (size_t)x;
         if (!(z[at] > 0)) continue;
-        /* not from depth: far away its rounding exceeds a small radius */
+        /* not from the frame's depth, whose rounding exceeds a small radius far away */
         kit_camera_ray(camera, x, y, origin, ray);
         if (!ssgi_trace_closest(&hit, &trace, origin, ray, 0, 1e12f)) continue;
         for (int k = 0; k < 3; ++k) places[3 * count + (size_t)k] = origin[k] + hit.t * ray[k];

@@ -12,7 +12,7 @@ enum {
     GATHER = 1,
     LIGHTS = 2 /* sets a field of the descs of gathers, or of lights */,
     FRAME = 4,
-    SCALED = 8 /* sets a member of the frame; or sets it times the radius */,
+    SCALED = 8 /* sets a member of the frame; or sets it to the value times the radius */,
     PLAN = 0 /* sets nothing: the method's code reads it */
 };
 

@@ -78,7 +78,7 @@ typedef struct place {
     double m[3][4];
 } place;
 
-/* A node of Assimp's and its JSON in the glTF file. */
+/* A node of Assimp's, and the JSON of the same node in the glTF file. */
 typedef struct twin {
     const struct aiNode *node;
     const char *json;
@@ -105,7 +105,7 @@ typedef struct reader {
     float *position, *normal; /* of the mesh that is being added, 3 a vertex, in world space */
     char *used;               /* 1: a triangle uses the vertex */
     double weight[MOST_WEIGHTS]; /* weights of the morphs of the node that is being read */
-    size_t weights;              /* number of these; 0: the node has none of its own */
+    size_t weights;              /* number of weights; 0: the node has none of its own */
 } reader;
 
 const char *kit_assimp_version(void)

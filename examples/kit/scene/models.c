@@ -278,7 +278,7 @@ static int assimp_read(kit_mesh *mesh, kit_object **object, int *objects, char *
 
 /* ---- >>OBJ ------------------------------------------------------------------------------------------------------- */
 
-/* Reads a file as OBJ if it is of no other format. */
+/* Reads a file that has no other known format as OBJ. */
 static int obj_read(kit_mesh *mesh, kit_object **object, int *objects, const char *path, kit_error *err)
 {
     kit_error why;

@@ -347,7 +347,7 @@ static int holds(const kit_object *a, const kit_object *b)
     return 1;
 }
 
-/* Returns whether most other objects are within its bounds. */
+/* Returns whether most other objects are within the bounds of object k. */
 static int holds_most(const kit_scene *s, int k)
 {
     int held = 0;

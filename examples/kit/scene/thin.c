@@ -32,7 +32,7 @@ static void blade_surface(const void *shape, double u, double v, kit_vertex *out
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = cos(a);
 }
 
-/* Returns the distance of a stone's surface from p, in units of the direction's radius: 0 on it. */
+/* Returns a stone's signed distance at p, in units of the stone's radius in that direction: 0 on the surface. */
 static double stone(const double *seed, const double p[3])
 {
     double q[3] = { p[0] / 1.2, p[1] / 0.75, p[2] };

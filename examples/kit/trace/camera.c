@@ -152,7 +152,7 @@ void kit_camera_from_header(kit_camera *camera, const kit_header *header)
         for (int i = 0; i < 3; ++i) {
             eye[i] = 0;
             for (int k = 0; k < 3; ++k) eye[i] -= (double)m[4 * i + k] * (double)m[12 + k];
-            far = fmax(far, fabs(eye[i]));         /* a target at distance 1 would be displaced by rounding */
+            far = fmax(far, fabs(eye[i]));        /* from a far eye, a target at distance 1 would be lost in rounding */
         }
         for (int i = 0; i < 3; ++i) {
             camera->eye[i] = (float)eye[i];

@@ -195,7 +195,7 @@ static void add_light(const kit_truth *job, const kit_place *at, const kit_light
     const double length = sqrt(kit_facing(to, to)),
                  weight = kit_facing(at->n, to) / length / KIT_PI / (sun ? 1 : length * length);
     if (!(weight > 0) || !isfinite(weight)) return;
-    /* so that a surface around the lamp itself does not shadow it */
+    /* the ray ends before the light, so that a surface around it does not shadow it */
     const float all = sun ? INFINITY : 0.99999f, reach = job->lighting->reach;
     if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, reach > 0 ? fminf(all, reach / (float)length) : all))
         return;
