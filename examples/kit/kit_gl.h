@@ -165,7 +165,7 @@ void kit_mesh_forget(void);
 /* Returns the kept mesh, ready to be drawn by attribute 0, its position, until kit_soup_rest; NULL: not kept. */
 kit_soup *kit_mesh_kept(const kit_mesh *mesh);
 
-/* Draws the same view of a scene, `pixels` wider on each side; near and far planes and depth layout stay. */
+/* Draws a G-buffer of the same view, `pixels` wider on each side; near and far planes and depth layout stay. */
 int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_scene *scene, int pixels,
     kit_error *err);
 

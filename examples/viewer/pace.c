@@ -42,7 +42,7 @@ static int level_of(const pace *p, double ms)
     return level;
 }
 
-/* Returns the factor by which surfels are widened. */
+/* Returns the factor by which surfels are widened now, to be fewer. */
 double pace_coarse(const pace *p) { return p->still || p->fixed > 0 ? 1 : 1 << p->coarse; }
 
 int pace_took(pace *p, double ms, int surfels)

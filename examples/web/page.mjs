@@ -896,7 +896,7 @@ function lacksOf(name) {
     return methods[name]?.method && gpu.drawer.lacks(chainOf(name, set.p, false));
 }
 
-/* Changes between WebGPU (made) and WebGL 2 (null), and frees the textures and programs of the former. */
+/* Changes to WebGPU (made) or WebGL 2 (null), and frees the textures and programs of the one before. */
 function drawBy(made) {
     for (const run of [...sides, ...coming]) forget(run);
     sides.fill(null);

@@ -65,7 +65,7 @@ const flag = initial => ({
     must: () => 'must be 0 or 1'
 });
 
-/* A number in [least, most]. other: one value outside these limits that has a meaning of its own, named by words */
+/* Makes a setting in [least, most]. other: one value outside these limits that has its own meaning, named by words */
 const number = (initial, least, most, other = null, words = '', of = 'a number') => ({
     initial, least, most,
     read(text) {
@@ -75,7 +75,7 @@ const number = (initial, least, most, other = null, words = '', of = 'a number')
     must: () => `must be ${of} from ${least} to ${most}${words}`
 });
 
-/* A whole number. other: the word for the preset's number */
+/* Makes a setting that is a whole number. other: the word for the preset's number */
 const count = (least, most, other) =>
     number(other, least, most, other, `, or ${other} for the preset's`, 'a whole number');
 

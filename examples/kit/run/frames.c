@@ -30,7 +30,7 @@ static float phase_of(float from, unsigned frame)
     return (float)(phase - floor(phase));
 }
 
-/* Resizes a texture to the size at which a pass draws, if the last frame had another. */
+/* Resizes a texture of the last frame to the size at which a pass draws now. */
 static void fit(GLuint texture, const kit_pass *p, GLenum format)
 {
     GLint width, height;

@@ -63,7 +63,7 @@ static int add_harmonic_light(kit_making *m)
     if (chain.desc.light.restore) bounce.desc.light.restore = SSGI_GL_RESTORE_DIFFERENCE;
     if (joint) chain.desc.light.restore = bounce.desc.light.restore;
     if (m->rows[0] && m->set->lights == KIT_LIGHTS_SHADOWED) chain.lights = m->lights;
-    /* the only lights have shadow maps, and these need no coefficients */
+    /* the only lights have shadow maps, so that no light needs coefficients */
     if (chain.lights.pass == SSGI_GL_PASS_LIGHTS && !m->world->lighting->env.data) {
         chain.desc.pass = SSGI_GL_PASS_SSDO;
         chain.desc.light.environment = SSGI_GL_ENVIRONMENT_NONE;

@@ -25,7 +25,7 @@ static int ask_gbuffer(const kit_making *m, kit_gbuffer *g)
     return kit_gbuffer_slabs(g, scene, 1 + two, m->err);
 }
 
-/* Adds a method of ambient visibility from the G-buffer. */
+/* Adds the passes of a method of ambient visibility. */
 static int open_visibility(kit_making *m, const float picture[16])
 {
     kit_seen_places seen = { .point = NULL };

@@ -142,11 +142,12 @@ ROW(lobes_row, lobes, "a texel of the environment's map is the mean over one of 
 ROW(window_row, window, "window over the harmonics of lights", "none hann positive", 1, 0, 2, PLAN, 0)
 ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without a bounce",
     "harmonics shadowed", 0, 0, 1, PLAN, 0)
-/* In the corner of two endless walls, a wall's point has the coefficients pi/2 sqrt(1/(4 pi)), and sqrt(3/(4 pi)) times
-   pi/3 along its normal and 2/3 away from the other wall. Hann's window and the residual give a lamp along (1, 1) /
-   sqrt(2) 0.47, and one along (1, -1) / sqrt(2), behind the wall, 0.24. Their cosine is 0.71: 0.66 of a visible lamp
-   stays, and 0.34 of a hidden one. So a lobe of two bands is wide: it darkens creases that see the lamp; it is worse
-   than nothing if shadows come from beyond the radius. */
+/* As harmonics of two bands a lamp has a wide lobe. In the corner of two endless walls a wall's point has the
+   coefficients pi/2 sqrt(1/(4 pi)), and sqrt(3/(4 pi)) times pi/3 along its normal and 2/3 away from the other wall.
+   With Hann's window and the residual, a lamp that the point sees, along (1, 1) / sqrt(2), gives 0.47, and one behind
+   the other wall, along (1, -1) / sqrt(2), 0.24. The cosine of both is 0.71, so that 0.66 of the visible lamp is left
+   and 0.34 of the hidden one. Creases that see the lamp are too dark; if occluders are beyond the radius, this is worse
+   than no shadow. */
 ROW(shadowed_row, lights, "--light by maps and segments, or as harmonics of two bands, whose lobe is wide: a crease "
     "that sees a light keeps 0.66 of it, a hidden one 0.34; may be worse than no occlusion",
     "harmonics shadowed", 1, 0, 1, PLAN, 0)

@@ -251,7 +251,7 @@ static int is_ear(const corner *c, int a, int b, int d)
     return 1;
 }
 
-/* Cuts a polygon into triangles. If no ear is left, for example if the polygon crosses itself, it is cut anywhere. */
+/* Cuts a polygon into triangles. If no ear is left, for example if it crosses itself, any corner is cut off. */
 static int add_polygon(obj *o)
 {
     corner *c = o->corners.data;

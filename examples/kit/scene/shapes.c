@@ -23,7 +23,7 @@ void kit_place_tilted(kit_build *b, double x, double y, double z, double turn, d
     b->tilt = tilt;
 }
 
-/* Draws by PCG's hash. */
+/* Returns a random number by PCG's hash. */
 double kit_chance(kit_build *b)
 {
     uint32_t x = b->random = b->random * 747796405u + 2891336453u;
