@@ -92,7 +92,7 @@ OF_try        = lab/try $(LAB)
 OF_reflection = lab/reflection $(LAB)
 OF_quiet      = $(LAB) $(call examples_of,lab/quiet)
 OF_against    = $(LAB) $(call examples_of,lab/against)
-OF_cost       = tools/glsl/chains $(LAB) $(call examples_of,lab/cost)
+OF_cost       = tools/glsl/chains $(LAB) $(call examples_of,lab/cost lab/chart lab/papers)
 GLSL          = $(addprefix tools/glsl/,choices chains manifest)
 OF_glsl-text  = tools/glsl/glsl $(GLSL)
 OF_web-scenes = web/scenes
@@ -138,8 +138,9 @@ chart: build/report | page-deps
 
 # The papers' tables and figures, their values beside ours; report/index.html, and their part of
 # examples/docs/FIGURES.md. QUICK=1 is smaller; PAPER=DSS14 or PAPER='DSS14 Figure 7' selects some.
-papers: build/report | page-deps
+papers: build/report build/render | page-deps
 	build/report papers $(if $(QUICK),--quick) $(if $(PAPER),--paper '$(PAPER)') $(CONTEXT:%=--context %)
+	$(if $(QUICK)$(PAPER),,awk -f examples/lab/papers/repeat.awk -v long=1 examples/docs/PAPERS.md)
 	@$(FIGURES)
 
 # Only the chart's part on light: every pair of a scene and a probe. make light QUICK=1 is smaller.
@@ -219,10 +220,11 @@ against: build/against build/render
 # report/cost.csv. ONLY="hsao hsao,best,samples=16 own.frag": only those, with their passes; SINCE=FILE.csv: the changes
 # since that run. cost-test, for CI: compares with examples/lab/cost/recorded.csv, which make cost-record writes.
 # cost-shares measures how many waves enter a branch that they may skip: examples/lab/cost/shares.csv, in three minutes.
+# cost-papers models the times of the papers' rows: examples/lab/papers/modelled.csv.
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev
 LIBS_cost  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) \
              -lglslang-default-resource-limits -Wl,--end-group -lstdc++
-cost cost-test cost-record cost-shares cost-plan cost-peers: deps
+cost cost-test cost-record cost-shares cost-plan cost-papers cost-peers: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h spirv_cross/spirv_cross_c.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
@@ -391,7 +393,7 @@ clean:
 
 .PHONY: page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
-        cost-record cost-shares cost-plan glsl mutants failures deps unlisted shared format clean
+        cost-record cost-shares cost-plan cost-papers glsl mutants failures deps unlisted shared format clean
 
 # A window onto a scene, with every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)

@@ -102,13 +102,14 @@ typedef enum ssgi_result {
 
 /* ==== >>view =================================================================================================== */
 
-/* How a projection's clip z becomes window depth. */
+/* The values of `clip` in ssgi_view_from_projection: how a projection's clip z becomes window depth. */
 enum {
     SSGI_CLIP_GL = 0, /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
     SSGI_CLIP_ZERO,   /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
 };
 
-/* The camera parameters that the passes use, made by ssgi_view_from_projection; read-only for you. [k] is element k. */
+/* The camera parameters that the passes use, made by ssgi_view_from_projection; read-only for you. In the comments [k]
+   is element k of the member. */
 typedef struct ssgi_view {
     float unproject[4]; /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
     float project[4];   /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
@@ -145,8 +146,8 @@ SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
 #define SSGI_FAR 1e18f /* the view depth of the background: it is beyond any scene, and its square is a finite float */
 
-/* ssgi_view_position gives the view-space point that is seen at a pixel position (centres at .5) at a view depth;
-   ssgi_view_project gives the pixel position of a view-space point, with its depth [limit: > 0 when perspective] in
+/* ssgi_view_position writes the view-space point that is seen at a pixel position (centres at .5) at a view depth;
+   ssgi_view_project writes the pixel position of a view-space point, with its depth [limit: > 0 when perspective] in
    out[2]. GLSL twins: ssgi_position, ssgi_project. */
 SSGI_DEF void ssgi_view_position(float out[3], const ssgi_view *view, float pixel_x, float pixel_y, float view_depth);
 SSGI_DEF void ssgi_view_project(float out[3], const ssgi_view *view, const float point[3]);
@@ -205,11 +206,12 @@ SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
    section 5].
      depth        [units: view] z, along the spot's axis, not the distance from the light
      full_angle   [units: rad] [limit: 0..3.14, clamped] of the spot, from edge to edge
-     resolution   [units: texels] [limit: 1 or more, less counts as 1] along that edge
+     resolution   [units: texels] [limit: 1 or more, less counts as 1] of the map, across that angle
    ssgi_gl_light.patch holds this width for depth 1. */
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
 
-/* The length across a texel of the shadow map; half of it, times tan(alpha), is the bias. */
+/* The values of `kind` in ssgi_shadow_bias: the length across a texel of the shadow map that is halved and multiplied
+   by tan(alpha), which gives the bias. */
 enum {
     SSGI_BIAS_SAFE = 0,  /* the diagonal: patch/sqrt(2) tan(alpha), which slopes in any direction need */
     SSGI_BIAS_PUBLISHED, /* the side: patch/2 tan(alpha) [SSDO09 section 5], which suffices for slopes along a side
@@ -319,8 +321,8 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
    ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
 
-/* Writes the basis at a unit direction: bands^2 values
-   [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
+/* Writes the basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, a larger number counts as
+   SSGI_SH_MAX_BANDS]. */
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
 /* Returns the factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 if l is not in
@@ -387,8 +389,9 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 
 /* ==== >>environment ============================================================================================ */
 
-/* The octahedral map lays directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z. Decoding
-   gives a unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
+/* ssgi_octahedral_encode writes the point of the square [-1,1]^2 at which the octahedral map about +z has a direction
+   of any length but 0, which counts as +z. ssgi_octahedral_decode writes the unit direction of such a point: n =
+   vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
 SSGI_DEF void ssgi_octahedral_encode(float out[2], const float direction[3]);
 SSGI_DEF void ssgi_octahedral_decode(float out[3], const float e[2]);
 
@@ -407,9 +410,9 @@ SSGI_DEF void ssgi_octahedral_decode(float out[3], const float e[2]);
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why);
 
-/* Makes the same map over cones: it holds the mean radiance within the cone about every direction, weighted by the
-   cosine to the cone's axis. A bent cone's light [SSBN11] is then one look-up in a texture array, whose slice k of n
-   holds the cones of cosine k/n.
+/* Makes an octahedral map as ssgi_environment_map does, but over cones: it holds the mean radiance within the cone
+   about every direction, weighted by the cosine to the cone's axis. A bent cone's light [SSBN11] is then one look-up in
+   a texture array, whose slice k of n holds the cones of cosine k/n.
      cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi
    At the rim the weight is a ramp that reaches one cell of the averaged image, 3.75 degrees, to either side. Below
    cosine 0.07 the ramp is narrower, so that it ends before 90 degrees. */
@@ -418,7 +421,7 @@ SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rg
 
 typedef struct ssgi_sun {
     float direction[3];  /* unit, to the light */
-    float irradiance[3]; /* on a surface that faces it */
+    float irradiance[3]; /* of a surface that faces the sun */
 } ssgi_sun;
 
 /* Replaces an environment by directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance
@@ -443,7 +446,8 @@ SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coeffic
 
 typedef struct ssgi_vpl {
     float position[3], normal[3];
-    float intensity[3]; /* radiant intensity along the normal; at an angle from the normal, times the angle's cosine */
+    float intensity[3]; /* radiant intensity along the normal; in other directions, times the cosine of their angle to
+                           the normal */
 } ssgi_vpl;
 
 /* Makes virtual point lights [KEL97] of a reflective shadow map. Pixels of the map are chosen in proportion to the
@@ -485,7 +489,7 @@ typedef struct ssgi_trace {
     const void *nodes, *blocks;  /* in the memory given to ssgi_trace_build */
     uint32_t node_count;         /* 0: nothing can be hit */
     uint32_t block_count;        /* blocks of four triangles each */
-    uint32_t triangles, skipped; /* as given, and how many of them were degenerate or out of range */
+    uint32_t triangles, skipped; /* the number given; how many of them were left out, as degenerate or out of range */
 } ssgi_trace;
 
 typedef struct ssgi_hit {
@@ -500,7 +504,7 @@ typedef struct ssgi_hit {
    SSGI_TRACE_MAX_TRIANGLES and for more than size_t can count. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
-/* Builds over triangles whose corners are index[3*i], index[3*i+1], index[3*i+2]; index NULL: 3*i, 3*i+1, 3*i+2.
+/* Builds the BVH over triangles with corners index[3*i], index[3*i+1], index[3*i+2]; index NULL: 3*i, 3*i+1, 3*i+2.
    position      x y z of vertex k at (const char *)position + k * stride_bytes
    stride_bytes  [limit: 12 or more, a multiple of 4]
    memory        size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
@@ -579,7 +583,7 @@ SSGI_DEF double ssgi_tess_radius(double area, double count);
 
 /* In deep screen space [DSS14] triangles become discs of about equal size on the screen: also triangles that are
    hidden, at grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU;
-   pass dss takes those of either. */
+   pass dss takes surfels of either. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte, as transform feedback captures them. */
 typedef struct ssgi_surfel {
@@ -600,9 +604,10 @@ typedef enum ssgi_overhang {
     SSGI_OVERHANG_FORCE = SSGI_FORCE
 } ssgi_overhang;
 
-/* How surfels are made. Zero is the default everywhere. */
+/* How ssgi_surfels makes surfels of triangles. A member of 0 has its default. */
 typedef struct ssgi_surfel_desc {
-    /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.03] diameter of a surfel that faces the viewer: s */
+    /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.03] diameter of a surfel that faces the viewer: s in
+       [DSS14] */
     float size;
     /* [limit: 0..32] [default: 8] the most parts into which an edge is split if the tessellator's last level, 64, is
        too coarse for the triangle */
@@ -624,8 +629,10 @@ typedef struct ssgi_surfel_source {
     const float *position;                                /* x y z of each vertex */
     const float *normal;                                  /* of each vertex, any length; NULL: the triangle's own */
     const float *colour;                                  /* of each vertex, for ssgi_surfel.colour; NULL: 1 1 1 */
-    size_t position_stride, normal_stride, colour_stride; /* [units: bytes] [limit: multiples of 4] 0: three floats */
-    const uint32_t *index;                                /* 3 a triangle; NULL: vertices in their order */
+    size_t position_stride, normal_stride, colour_stride; /* [units: bytes] [limit: multiples of 4] 0: three floats,
+                                                             without a gap */
+    const uint32_t *index;                                /* three vertices for each triangle; NULL: the vertices in
+                                                             their order */
     size_t triangles;
     float to_view[16]; /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
@@ -672,8 +679,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
    four, recursively, at most ten times. Drops triangles farther outside the frustum than desc->max_distance, without
    area, or with corners that are not finite or beyond SSGI_FAR. The others stay unchanged, in their order.
      out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0 or colour 1 1 1
-              if the source has none; a component that is not finite becomes 0). They are usable as a source of
-              ssgi_surfels and as patches
+              if the source has none; a component that is not finite becomes 0). They serve as the source of
+              ssgi_surfels, and as vertices of the patches that desc.surfel.tessellate draws
      count    how many triangles result; at most `capacity` of them are written */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
@@ -686,12 +693,15 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* How surfels are splatted. The shaders take epsilon, max_distance (as radius) and near_depth from ssgi_gl_frame. */
+/* How pass dss splats surfels. The shaders take epsilon, max_distance (as radius) and near_depth from ssgi_gl_frame. */
 typedef struct ssgi_splat {
-    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.3] form factor at the end of level 0 */
+    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.3] form factor of a surfel at the distance at which its
+                           level 0 ends */
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
-    float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent / ssgi_gl_frame.sent */
-    float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
+    float max_radiance; /* [limit: >= 0] [default: 1] for predictions: the largest radiance of a surfel /
+                           ssgi_gl_frame.sent */
+    float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] least view depth of the frame's
+                           surfaces */
     int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 4] every level doubles the reach, at about equal cost */
     int part;   /* [limit: 0, 1, 2 or 4] [default: 1] of each axis 1 pixel in `part` is drawn: desc.gather.resolution */
     int two_sided; /* 1: surfels affect pixels behind them, too: desc.light.two_sided, effects SCATTER and CUSTOM */
@@ -720,13 +730,13 @@ SSGI_DEF int ssgi_splat_levels(double size, double epsilon, double radius);
 /* The predicted cost of the surfels of a frame. */
 typedef struct ssgi_surfel_cost {
     size_t surfels;                   /* number of surfels */
-    int splits;                       /* most parts of an edge that a triangle needs; may exceed desc->splits */
+    int splits;                       /* the most parts into which an edge has to be split; may exceed desc->splits */
     double pixels[SSGI_SPLAT_LEVELS]; /* texels that the splats of each level cover, each overlap counted */
 } ssgi_surfel_cost;
 
-/* Predicts the cost. Surfels are counted exactly; pixels are those of one surfel at the centre of each part of a
-   triangle, times the number of surfels of the part (in tests within 1.4 % of the sum over all surfels). desc, view and
-   source are as for ssgi_surfels; zeros in splat are the defaults. */
+/* Predicts the cost of a frame's surfels. Surfels are counted exactly; pixels are those of one surfel at the centre of
+   each part of a triangle, times the number of surfels of the part (in tests within 1.4 % of the sum over all surfels).
+   desc, view and source are as for ssgi_surfels; zeros in splat are the defaults. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -736,7 +746,7 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
    in the unit of the coefficients that ssgi_dipole_set was given. */
 typedef struct ssgi_dipole {
     double z_r[3];      /* depth of the real source below the surface */
-    double z_v[3];      /* height of the virtual source above it */
+    double z_v[3];      /* height of the virtual source above the surface */
     double sigma_tr[3]; /* effective transport coefficient */
     double albedo[3];   /* alpha', the reduced albedo */
 } ssgi_dipole;
@@ -769,10 +779,10 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
    is 1e-12. GLSL twin: ssgi_cap. */
 SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
 
-/* Writes the same occlusion as a look-up table [AOF05 section 4.2], for desc.input.cap_table of ssgi_gl.h or for your
-   shaders: out[y * size + x] is the occlusion of solid angle 4 pi x / (size - 1) and cosine 2 y / (size - 1) - 1.
-   Values stand at the texels' centres: u = (solid_angle / (4 pi) * (size - 1) + 0.5) / size, v = ((cosine + 1) / 2 *
-   (size - 1) + 0.5) / size.
+/* Writes the occlusion of spherical caps (ssgi_cap_occlusion) as a look-up table [AOF05 section 4.2], for
+   desc.input.cap_table of ssgi_gl.h or for your shaders: out[y * size + x] is the occlusion of solid angle 4 pi x /
+   (size - 1) and cosine 2 y / (size - 1) - 1. Values stand at the texels' centres: u = (solid_angle / (4 pi) * (size -
+   1) + 0.5) / size, v = ((cosine + 1) / 2 * (size - 1) + 0.5) / size.
      out    size * size floats
      size   [limit: 2..4096] largest error of the bilinear value: 2.9e-3 at 32, 1.4e-3 at 64, 6.6e-4 at 128; 8 bits
             a texel add 2e-3 */
@@ -840,10 +850,10 @@ SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float norm
       free(work);                                                      // the field needs its texels only
       printf("it occludes %g\n", ssgi_field_occlusion(&field, NULL, point, normal));   */
 
-/* How a field is baked. Zero is the default everywhere. */
+/* How ssgi_field_bake bakes a field. A member of 0 has its default. */
 typedef struct ssgi_field_desc {
     int resolution; /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
-    int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
+    int radii;      /* [limit: 0, 4..64] [default: 12] number of distances that are sampled along each direction */
     int rays;       /* [limit: 0, 16..65536] [default: 96] rays traced from a point at the hull. Farther out the
                        occluder takes less of the light: there rays * (distance of the hull / distance of the point) are
                        traced, at least 16 */
@@ -880,12 +890,12 @@ typedef struct ssgi_field {
        hull's distance; x y z of the characteristic centre, from `centre`; the covered share of the cap. */
     const uint32_t *texels;
     int resolution; /* texels along a side of a face, without the border */
-    int radii;      /* distances that were sampled along each direction */
+    int radii;      /* number of distances that were sampled along each direction */
 
     float centre[3], radius; /* [units: the mesh's] the bounding sphere; the centre lies in the convex hull */
-    float reach;             /* [units: the mesh's] where the field ends, from the centre */
+    float reach;             /* [units: the mesh's] distance from the centre at which the field ends */
     float inside;            /* A_0: mean occlusion of points in the hull that the mesh does not enclose */
-    float low[8], span[8];   /* 0 of a component stands for low, 255 for low + span */
+    float low[8], span[8];   /* ranges of the eight stored components: byte 0 stands for low, byte 255 for low + span */
 
     /* Errors of occlusion as stored, without the ramp, at receivers that the bake did not sample: directions between
        texels, distances between samples, random normals. */
@@ -933,11 +943,11 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
 
-/* Writes the cap itself: its solid angle [units: sr], its unit axis, from the point to the occluder, and the share of
-   the cap that is covered. In the hull it is the cap at the hull; beyond the field's reach solid_angle and fill are
-   those at the reach. ssgi_cap_light gives the irradiance of an environment that the cap takes away. Returns the
-   point's distance from the centre over the hull's. No argument may be NULL; a coordinate that is not finite counts as
-   the centre's. */
+/* Writes the cap that an occluder subtends at a point: its solid angle [units: sr], its unit axis, from the point to
+   the occluder, and the share of the cap that is covered. In the hull it is the cap at the hull; beyond the field's
+   reach solid_angle and fill are those at the reach. ssgi_cap_light gives the irradiance of an environment that the cap
+   takes away. Returns the point's distance from the centre over the hull's. No argument may be NULL; a coordinate that
+   is not finite counts as the centre's. */
 SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, const ssgi_field *field,
                               const float point[3]);
 
@@ -945,8 +955,8 @@ SSGI_DEF float ssgi_field_cap(float *solid_angle, float axis[3], float *fill, co
    without a valid resolution. Writes them if out is not NULL and capacity is at least that number. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
 
-/* Loads a field from such bytes. With texels NULL and size 0 it fills everything except the texels: call it so first,
-   to learn the resolution.
+/* Loads a field from the bytes that ssgi_field_save wrote. With texels NULL and size 0 it fills everything except the
+   texels: call it so first, to learn the resolution.
      texels, size   [units: bytes] [limit: ssgi_field_size(field->resolution), else SSGI_TOO_SMALL]
      file           SSGI_BAD_ARGUMENT if it is cut short, too long, foreign, of another version, or corrupt */
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
@@ -995,7 +1005,7 @@ enum {
    is the default of chains: ssgi_gl_steps draws pass thickness, and the costs here include it. */
 enum {
     SSGI_PLAN_THICKNESS_WIDTH = 0,
-    SSGI_PLAN_THICKNESS_CONSTANT, /* saves that pass; may be chosen whatever plan_scene.thickness says */
+    SSGI_PLAN_THICKNESS_CONSTANT, /* needs no pass thickness; may be chosen whatever plan_scene.thickness is */
     SSGI_PLAN_THICKNESS_BACK,
     SSGI_PLAN_THICKNESS_SLABS
 };
@@ -1005,10 +1015,12 @@ enum {
     SSGI_PLAN_DEVICE_SOFTWARE = 0, /* llvmpipe's costs, measured */
     SSGI_PLAN_DEVICE_GPU,          /* a GPU's, modelled: a Radeon RX 6800 at 1920x1080, by its compiler's instructions;
                                       never measured */
-    SSGI_PLAN_DEVICE_RX_6800       /* the same, but costs, budget and depth_pass are in milliseconds at 1920x1080 */
+    SSGI_PLAN_DEVICE_RX_6800       /* the costs of DEVICE_GPU, but cost, budget and depth_pass are in milliseconds at
+                                      1920x1080 */
 };
 
-/* How pictures of one frame differ, as RMS over the pixels with a surface. */
+/* A survey: how pictures of one frame's ambient visibility differ, as RMS over the pixels with a surface. Made by
+   ssgi_survey_of, whose arguments the members name. */
 typedef struct ssgi_survey {
     float occlusion; /* RMS of 1 - visibility, by slabs if they are drawn; 0: no survey */
     float detail;    /* RMS of best - hsao */
@@ -1025,12 +1037,12 @@ typedef struct ssgi_survey {
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
-/* Errors against ray-traced ground truth, in the measure of plan_scene.wanted. */
+/* A calibration: errors of a frame's images against ray-traced ground truth, in the measure of plan_scene.wanted. */
 typedef struct ssgi_calibration {
     int known;        /* 0: no calibration */
-    float unoccluded; /* error of no occlusion at all */
+    float unoccluded; /* error of an image without any occlusion */
     float hsao;       /* error of slices, preset BALANCED, thickness WIDTH; for light: of visibility times the light */
-    float slabs;      /* the same error with thickness SLABS; 0: not known */
+    float slabs;      /* error of such slices with thickness SLABS; 0: not known */
 } ssgi_calibration;
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
@@ -1062,7 +1074,7 @@ typedef struct ssgi_plan_scene {
     float screen_radius; /* [limit: >= 0] [default: 0.15] the radius over the frame's height, mean over the visible
                             pixels: radius * view.project[1] / (view depth * height) */
     ssgi_survey survey;
-    ssgi_calibration calibration; /* OBJECTS: only unoccluded is read */
+    ssgi_calibration calibration; /* OBJECTS: of its members only `unoccluded` is read */
 
     /* the light */
     float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; if the first is 0, those of a clear sky,
@@ -1101,10 +1113,10 @@ typedef struct ssgi_plan {
    "cannot be met". Bad input gives SSGI_BAD_ARGUMENT and leaves the plan untouched. It is a pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
-/* Writes choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked),
-   meets 0 and an empty `why`. Returns 1 with *plan filled. Returns 0 with *plan untouched past the last choice, for
-   NULL, and if the choice does not serve scene->wanted, needs something that the scene does not give, or uses the
-   light's directions though they would gain too little. */
+/* Writes the planner's choice number i, of SSGI_PLAN_CHOICES, with its predicted error and cost for a scene (whose
+   numbers are not checked), meets 0 and an empty `why`. Returns 1 with *plan filled. Returns 0 with *plan untouched
+   past the last choice, for NULL, and if the choice does not serve scene->wanted, needs something that the scene does
+   not give, or uses the light's directions though they would gain too little. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 
 enum { SSGI_PLAN_CHOICES = 52 };
@@ -1142,7 +1154,8 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
     return SSGI_BAD_ARGUMENT;
 }
 
-/* Argument checks of functions with a parameter `why`. */
+/* Macros that check the arguments of a function: if a check fails, the function returns the error and writes the
+   sentence to its parameter `why`. */
 #define SSGI__CHECK(good, sentence) \
     do { \
         if (!(good)) return ssgi__bad(why, sentence); \
@@ -1184,10 +1197,10 @@ static uint32_t ssgi__bits(float x)
     return kept;
 }
 
-/* Whether x is finite. x must be an input: of a sum a compiler may leave out terms. */
+/* Returns whether x is finite. x must be an input: of a sum a compiler may leave out terms. */
 static int ssgi__finite(float x) { return (ssgi__bits(x) & 0x7f800000u) != 0x7f800000u; }
 
-/* Whether v is not NULL and all its values are finite. */
+/* Returns whether v is not NULL and all its values are finite. */
 SSGI__FN int ssgi__finites(const float *v, int count)
 {
     if (!v) return 0;
@@ -1198,7 +1211,7 @@ SSGI__FN int ssgi__finites(const float *v, int count)
     return count == 0;
 }
 
-/* Whether all values are finite and 0 or more (v must not be NULL). */
+/* Returns whether all values are finite and 0 or more (v must not be NULL). */
 SSGI__FN int ssgi__positive(const float *v, int count)
 {
     while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) {
@@ -1208,7 +1221,7 @@ SSGI__FN int ssgi__positive(const float *v, int count)
     return count == 0;
 }
 
-/* Whether a float can hold x, which is then neither NaN nor infinite. */
+/* Returns whether a float can hold x, which is then neither NaN nor infinite. */
 SSGI__FN int ssgi__fits(double x)
 {
     uint64_t bits;
@@ -1226,7 +1239,7 @@ SSGI__FN int ssgi__fit(float *out, double x)
     return fits;
 }
 
-/* Whether x is finite and above 0 as a float, so that doubles hold its square and its inverse. */
+/* Returns whether x is finite and above 0 as a float, so that doubles hold its square and its inverse. */
 SSGI__FN int ssgi__above_zero(double x) { return ssgi__fits(x) && (float)x > 0.0f; }
 
 /* Returns x clamped to 0..most; NaN counts as 0. The bits of NaN and of negative floats are above infinity's. */
@@ -1238,7 +1251,7 @@ static float ssgi__clamped(float x, float most)
 
 SSGI__FN int ssgi__within(float x, float least, float most) { return ssgi__finite(x) && x >= least && x <= most; }
 
-/* Whether x is 0, which stands for the default, or in least..most. */
+/* Returns whether x is 0, which stands for the default, or in least..most. */
 SSGI__FN int ssgi__zero_or(float x, float least, float most)
 {
     return ssgi__within(x, 0.0f, 0.0f) || ssgi__within(x, least, most);
@@ -1466,7 +1479,9 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
-    const double sin50 = 0.76604444311897803520, cot50 = 0.83909963117728001176; /* of half the widest angle of view */
+    const double sin50 = 0.76604444311897803520, cot50 = 0.83909963117728001176; /* sine and cotangent of 50 degrees,
+                                                                                    which is half of the widest angle of
+                                                                                    view */
     const double r = (double)radius;
     double was[3][3], axis[3][3], turn[3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
@@ -1555,7 +1570,8 @@ SSGI_DEF float ssgi_shadow_bias(float patch, float cosine, float most, int kind)
     return (float)(bias < limit * c ? bias / c : limit);
 }
 
-/* A mesh whose maxima are sought. After sorting, vertices have numbers in the order of their places. */
+/* A mesh in which ssgi_radius_guess seeks maxima of height. After sorting, vertices have numbers in the order of their
+   positions. */
 typedef struct ssgi__peaks {
     const char *position;
     size_t stride;
@@ -1578,7 +1594,7 @@ SSGI__FN void ssgi__peaks_at(double p[3], const ssgi__peaks *m, uint32_t corner)
     ssgi__doubles(p, v);
 }
 
-/* Whether corner a lies before b, by x, then y, then z. */
+/* Returns whether corner a lies before b, by x, then y, then z. */
 SSGI__FN int ssgi__peaks_before(const ssgi__peaks *m, uint32_t a, uint32_t b)
 {
     double p[3], q[3];
@@ -1656,8 +1672,8 @@ SSGI__FN void ssgi__peaks_edge(const ssgi__peaks *m, uint32_t a, uint32_t b, dou
     }
 }
 
-/* Returns the mean distance from a maximum to the nearest other, over every step-th of the given vertices, which are
-   the maxima. */
+/* Returns the mean distance from a maximum to the nearest other, over every step-th of the `count` maxima in
+   `vertex`. */
 SSGI__FN double ssgi__peaks_spacing(const ssgi__peaks *m, const uint32_t *vertex, size_t count)
 {
     const size_t step = (count + 1023) / 1024;
@@ -1693,7 +1709,7 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
     SSGI__ENOUGH(words, 9 * triangles, "words: must be 9 * triangles or more");
     m.vertex = work + 3 * triangles;
     m.part = m.vertex + 3 * triangles;
-    for (size_t i = 0; i < 3 * triangles; ++i) m.vertex[i] = SSGI__PART; /* for now none is used */
+    for (size_t i = 0; i < 3 * triangles; ++i) m.vertex[i] = SSGI__PART; /* no corner has a vertex yet */
     for (size_t i = 0; i < triangles; ++i) {
         double p[3][3];
         int inside = 1;
@@ -1791,8 +1807,8 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
     return ssgi_directions(out, SSGI_DIRECTIONS_COSINE, sets, samples, why);
 }
 
-/* Writes the height of a direction and its distance from the z axis. The direction is the one that has a share u of all
-   directions between itself and +z. */
+/* Writes the height of a direction and its distance from the z axis. Of all directions of this kind
+   (SSGI_DIRECTIONS_COSINE ..) a share u, in [0,1], is higher than this one. */
 SSGI__FN void ssgi__directions_at(double out[2], int kind, double u)
 {
     const double most = kind == SSGI_DIRECTIONS_SPHERE ? 2.0 : 1.0;
@@ -1830,7 +1846,8 @@ SSGI_DEF ssgi_result ssgi_directions(float *out, int kind, int sets, int samples
     return SSGI_OK;
 }
 
-/* A block of sets that fills a tile in rows of blocks, each row moved left by `shift` against the one before. */
+/* A block of w x h texels that holds each set of a noise tile once. Copies of the block fill the tile in rows; each row
+   is moved left by `shift` texels against the row before. */
 typedef struct ssgi__block {
     int w, h, shift;
 } ssgi__block;
@@ -1850,7 +1867,8 @@ SSGI__FN int ssgi__block_distance(const ssgi__block *b, int x, int y)
     return least;
 }
 
-/* Returns the squarest block that a tile can be made of, with the shift by which its copies lie farthest apart. */
+/* Returns the squarest block of `sets` texels that can fill a tile, with the shift by which its copies lie farthest
+   apart. */
 SSGI__FN ssgi__block ssgi__block_of(int size, int sets)
 {
     ssgi__block b = { sets, 1, 0 }, tried;
@@ -1975,8 +1993,8 @@ SSGI_DEF float ssgi_sh_cosine(int l)
     return l >= 0 && l < 5 ? a[l] : 0.0f;
 }
 
-/* Writes the sine and the cosine of a row's angle from +y; the row is `at` rows from the top. Returns the solid angle
-   of a texel there. */
+/* Writes the sine and the cosine of the angle between +y and a row of an environment image; the row is `at` rows from
+   the top. Returns the solid angle of a texel there. */
 SSGI__FN double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
     polar[0] = sin(SSGI__PI * at / height);
@@ -1984,7 +2002,8 @@ SSGI__FN double ssgi__equirect_row(double polar[2], double at, int width, int he
     return 4.0 * SSGI__PI / width * polar[0] * sin(0.5 * SSGI__PI / height);
 }
 
-/* Writes the direction that is `at` columns from the left edge, in a row with this sine and cosine. */
+/* Writes the direction of a place in an environment image: `at` columns from the left edge, in a row whose angle has
+   the sine and cosine `polar`. */
 SSGI__FN void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
 {
     const double longitude = SSGI__PI * (1.0 - 2.0 * at / width);
@@ -2000,7 +2019,7 @@ SSGI__FN ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height,
     return SSGI_OK;
 }
 
-/* Adds the light of a texel, whose solid angle is the weight, to coefficients. */
+/* Adds the light of a texel to the coefficients `sum`. weight is the texel's solid angle. */
 SSGI__FN void ssgi__sh_add(double *sum, int bands, const double direction[3], const float *rgb, double weight)
 {
     double basis[SSGI__SH_MOST], light[3];
@@ -2343,8 +2362,8 @@ typedef struct ssgi__region {
 
 #define SSGI__REGION_BINS 256
 
-/* Sums luminance times solid angle over a region's lines, which are columns (axis 0) or rows (1), with 2^shift lines in
-   each bin. */
+/* Sums luminance times solid angle over the lines of a region of the image, which are columns (axis 0) or rows (1).
+   Each bin sums 2^shift lines. */
 SSGI__FN void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
                                 const float *rgb, int width, int height)
 {
@@ -2357,7 +2376,8 @@ SSGI__FN void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__regio
     }
 }
 
-/* Cuts a region of at least two texels at its median along its wider side; the other half goes to *rest. */
+/* Cuts a region of at least two texels, across its wider side, into halves of equal luminance; the other half goes to
+   *rest. */
 SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const float *rgb, int width, int height)
 {
     double bin[SSGI__REGION_BINS], polar[2], before = 0.0;
@@ -2388,7 +2408,7 @@ SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const
     region->energy = before;
 }
 
-/* Makes the sun of a region. */
+/* Makes the sun that replaces a region of the environment image. */
 SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *rgb, int width, int height)
 {
     double total[3] = { 0, 0, 0 }, mean[3] = { 0, 0, 0 }, polar[2], d[3], light[3], energy = 0.0;
@@ -2532,11 +2552,11 @@ SSGI_DEF ssgi_result ssgi_vpl_area(ssgi_vpl *out, int count, const float corner[
 
 /* ==== >>trace (implementation) ================================================================================= */
 
-/* A tree with eight children a node and four triangles a leaf, both laid out so that a loop over them is one or two
-   vector operations. A large tree does not fit the caches; with eight children a ray waits for fewer nodes one after
-   the other. The tree comes from binary splits at the middle of the longest axis; the left side of a split always gets
-   a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are
-   at most 4 L / 7 + 1 nodes, as a node with fewer than eight children has only leaves, two at least. */
+/* The BVH is a tree with eight children a node and four triangles a leaf, both laid out so that a loop over them is one
+   or two vector operations. A large tree does not fit the caches; with eight children a ray waits for fewer nodes one
+   after the other. The tree comes from binary splits at the middle of the longest axis; the left side of a split always
+   gets a multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there
+   are at most 4 L / 7 + 1 nodes, as a node with fewer than eight children has only leaves, two at least. */
 
 #define SSGI__TRACE_LIMIT 1e12f /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF 0x80000000u
@@ -2560,11 +2580,11 @@ typedef struct ssgi__trace_item {
     uint32_t triangle;
 } ssgi__trace_item;
 
-/* Items that become one child. */
+/* A range of items, which are triangles with their bounds, that becomes one child of a node. */
 typedef struct ssgi__trace_range {
     uint32_t first, count, depth;
     float lower[3], upper[3];   /* bounds */
-    float clower[3], cupper[3]; /* bounds of the centres, times two */
+    float clower[3], cupper[3]; /* bounds of the items' centres, times two */
 } ssgi__trace_range;
 
 typedef struct ssgi__trace_job {
@@ -2577,7 +2597,8 @@ typedef struct ssgi__trace_job {
     const uint32_t *index;
 } ssgi__trace_job;
 
-/* Whether a point or a direction is finite and within the limit, by the bits: -ffast-math may drop any comparison. */
+/* Returns whether a point or a direction is finite and within the limit, by the bits: -ffast-math may drop any
+   comparison. */
 static int ssgi__trace_sane(const float v[3])
 {
     const float limit = SSGI__TRACE_LIMIT;
@@ -2815,7 +2836,7 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
     return SSGI_OK;
 }
 
-/* A ray, prepared for boxes and for triangles. */
+/* A ray, prepared for its tests against boxes and triangles. */
 typedef struct ssgi__trace_ray {
     float origin[3], direction[3];
     float inverse[3]; /* 1 / direction, finite */
@@ -2972,7 +2993,8 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     struct {
         uint32_t child;
         float t;
-    } stack[SSGI__TRACE_STACK + 1]; /* one more: a child that is missed is written above the top, too */
+    } stack[SSGI__TRACE_STACK + 1]; /* one entry more than the depth needs, as a child that the ray misses is written
+                                       above the top, too */
 
     ssgi__trace_ray ray;
     int top = 0, found = 0;
@@ -3086,7 +3108,7 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
 
 /* ==== >>tessellate (implementation) ============================================================================ */
 
-#define SSGI__TESS_MOST 3169.0 /* points of level 64, the last of the tessellator */
+#define SSGI__TESS_MOST 3169.0 /* ssgi_tess_count(64): the points of the tessellator's last level */
 
 SSGI_DEF int ssgi_tess_count(int level)
 {
@@ -3095,11 +3117,12 @@ SSGI_DEF int ssgi_tess_count(int level)
     return level % 2 ? 3 * half * half : 3 * half * half + 3 * half + 1;
 }
 
-/* A point of a level. Ring k of level n has n - 2k segments a side, and its own corners at the ends of the sides. */
+/* A point of a tessellated triangle. Points lie in rings; ring 0 is the triangle's edges. At level n each side of ring
+   k has n - 2k equal parts, and points stand between them and at the ring's corners. */
 typedef struct ssgi__tess_point {
     int level, ring;
     int i;        /* number within the ring */
-    int place[3]; /* on the lattice, counted from the ring's corners */
+    int place[3]; /* how many parts the point is away from each side of the ring */
 } ssgi__tess_point;
 
 /* Steps to the next point, ring by ring inwards; from { level, 0, -1, { 0 } } it steps to the first. Returns 0 after
@@ -3233,7 +3256,7 @@ SSGI__FN void ssgi__surfel_vertex(float v[9], const ssgi_surfel_source *s, size_
     }
 }
 
-/* Makes a patch of the whole triangle in view space. Returns 0 if the triangle gives no surfels. */
+/* Makes a patch, in view space, of a whole triangle of the source. Returns 0 if the triangle gives no surfels. */
 SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
 {
     const ssgi_surfel_source *s = m->source;
@@ -3265,8 +3288,8 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     return p->area > 0.0 && ssgi__fits(p->area);
 }
 
-/* Returns the smallest surfel radius in a patch, which is that at the patch's depth nearest to the near plane. A patch
-   that ends between the eye and the near plane gets the radius at the near plane. */
+/* Returns the smallest radius of surfels in a triangle or part of one (patch), which is the radius at its depth nearest
+   to the near plane. A patch that ends between the eye and the near plane gets the radius at the near plane. */
 SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_maker *m)
 {
     double low = 1e300, high = -1e300;
@@ -3278,8 +3301,8 @@ SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_mak
     return ssgi__surfel_radius(m->scale, m->view->orthographic, low);
 }
 
-/* Writes the centroid and the largest distance of a corner from it. Returns the centroid's distance outside the
-   frustum. */
+/* Writes a patch's centroid and the largest distance of its corners from the centroid. Returns the centroid's distance
+   outside the frustum. */
 SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3],
                                      double *extent)
 {
@@ -3302,13 +3325,13 @@ SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_ma
     return n < 1.0 ? 1 : n < most ? (int)n : most;
 }
 
-/* Writes the weighted sum of three vectors, one at each corner. */
+/* Writes the sum of three vectors, those of a triangle's corners, times the weights of the corners. */
 SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
 {
     for (int i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
-/* Shrinks a patch, so that discs keep off its edges: ssgi_overhang. GLSL twin: ssgi_inset. */
+/* Shrinks a triangle or part of one, so that discs keep off its edges: ssgi_overhang. GLSL twin: ssgi_inset. */
 SSGI__FN void ssgi__surfel_inset(ssgi__patch *p, int overhang)
 {
     double weight[3], d[3], centre[3] = { 0.0, 0.0, 0.0 }, sum = 0.0;
@@ -3376,7 +3399,7 @@ SSGI__FN void ssgi__surfel_normal(float out[3], const ssgi__surfel_maker *m, con
     ssgi__floats(out, normal);
 }
 
-/* Makes the surfel at a point of the patch's level. GLSL twin: main_points. */
+/* Makes the surfel at one of the points that the tessellator makes of a patch. GLSL twin: main_points. */
 SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p,
                                  const ssgi__tess_point *point)
 {
@@ -3394,7 +3417,7 @@ SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, 
     out->unused = 0.0f;
 }
 
-/* Checks a desc and the view, and copies the desc with its defaults in place. */
+/* Checks an ssgi_surfel_desc and a view, and copies the desc with its defaults in place. */
 SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why)
 {
@@ -3430,8 +3453,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
     return SSGI_OK;
 }
 
-/* Checks the arguments and fills a maker. The matrix of normals is the cofactors of to_view's, so that normals stay
-   perpendicular under any scale; `side` is -1 if to_view mirrors. */
+/* Checks the arguments of ssgi_surfels and fills an ssgi__surfel_maker. The matrix of normals is the cofactors of
+   to_view's, so that normals stay perpendicular under any scale; `side` is -1 if to_view mirrors. */
 SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const ssgi_surfel_source *source, const char **why)
 {
@@ -3486,7 +3509,8 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
         ++d->count;
         return;
     }
-    for (int c = 0; c < 4; ++c) { /* a corner and its edges' midpoints, or the three midpoints */
+    for (int c = 0; c < 4; ++c) { /* parts 0 to 2: corner c and the midpoints of its edges; part 3: the three
+                                     midpoints */
         float child[27];
         for (int i = 0; i < 27; ++i) {
             const int k = i / 9, a = c < 3 ? c : k, b = c < 3 ? (c + k) % 3 : (k + 1) % 3;
@@ -3585,7 +3609,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
 
 #define SSGI__SPLAT_EPSILON 0.3f /* the default of ssgi_splat.epsilon */
 
-/* Checks a splat and copies it with its defaults in place. */
+/* Checks an ssgi_splat and copies it with its defaults in place. */
 SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
 {
     SSGI__THERE2(splat, view);
@@ -3625,7 +3649,7 @@ SSGI_DEF int ssgi_splat_levels(double size, double epsilon, double radius)
     return levels;
 }
 
-/* Adds to each level's pixels the texels that `count` surfels of this centre, normal and radius cover. */
+/* Adds to cost->pixels of each level the texels that `count` surfels of this centre, normal and radius cover. */
 SSGI__FN void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
                                  const float centre[3], const float normal[3], double radius, double brightest,
                                  double count)
@@ -3856,7 +3880,7 @@ SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3
     ssgi__along(b, b, r, d);
 }
 
-/* The samples along a direction w, to which a curve or a centre is fitted. */
+/* Samples of an occluder along a direction w, to which a curve or a centre is fitted. */
 typedef struct ssgi__field_data {
     const double *radii, *values, *w; /* values at each radius: a number for a curve, a unit vector for a centre */
     int count, chord;                 /* chord: which error of a centre, see ssgi__field_centre_error */
@@ -3926,9 +3950,9 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
     return sum;
 }
 
-/* Fits 1/q to values in 0..most at three or more ascending radii. q is a quadratic in r as published [AOF05 eq. 6, 9],
-   but held above 1/most from the first radius, t = 0, to the last, t = 1: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2.
-   Returns the sum of squared errors. */
+/* Fits the curve 1/q to values in 0..most at three or more ascending radii. q is a quadratic in r as published [AOF05
+   eq. 6, 9], but held above 1/most from the first radius, t = 0, to the last, t = 1: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2
+   t^2. Returns the sum of squared errors. */
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
     const double m = 1.0 / most, first = values[0], last = values[count - 1];
@@ -4062,7 +4086,7 @@ typedef struct ssgi__field_portal {
     double corner[3][3], normal[3], distance;
 } ssgi__field_portal;
 
-/* Sets the portal's plane from its corners. */
+/* Sets the plane of a portal from its three corners. */
 SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 {
     double a[3], b[3];
@@ -4073,7 +4097,7 @@ SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
     p->distance = ssgi__dot(p->normal, p->corner[0]);
 }
 
-/* Returns the distance beyond the hull at which samples start, so that none starts inside the mesh. */
+/* Returns how far beyond the hull samples of an occluder start, so that none starts inside the mesh. */
 SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 * m->radius; }
 
 /* Returns the distance at which a ray from the centre along w leaves the hull, and in p the portal there. The portal is
@@ -4091,7 +4115,8 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (int i = 0; i < 3; ++i) { /* takes that of three parts which holds the ray by the largest margin */
+        for (int i = 0; i < 3; ++i) { /* of the portal's three parts, takes the one that holds the ray by the largest
+                                         margin */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
@@ -4118,9 +4143,9 @@ SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
 
-/* Measures the centre, the radius, corners of the hull, and how far the hull may reach beyond them. The centre is the
-   mean of the farthest corners over all directions: the hull's Steiner point, which is inside. Returns 0 if the
-   occluder has no extent. */
+/* Measures an occluder: its centre, its radius, corners of its hull, and how far the hull may reach beyond them. The
+   centre is the mean of the farthest corners over all directions: the hull's Steiner point, which is inside. Returns 0
+   if the occluder has no extent. */
 SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -4154,7 +4179,8 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
         beyond = ssgi__field_farthest(m, w, p) - most;
         if (beyond > m->loose) m->loose = beyond;
     }
-    m->loose = 1.5 * m->loose + 1e-3 * m->radius; /* for the directions between those that were tried */
+    m->loose = 1.5 * m->loose + 1e-3 * m->radius; /* a margin, as the hull may reach farther in directions between those
+                                                     that were tried */
     return 1;
 }
 
@@ -4179,7 +4205,7 @@ SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, c
     if (!(ssgi__normalise(axis) > 0.0)) least = -1.0;
     for (int i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
         const double c = d[i][0] * axis[0] + d[i][1] * axis[1] + d[i][2] * axis[2], s = m->loose / d[i][3];
-        if (c - s - s * s > least + 1e-9) continue; /* c - s - s * s is below `wide`: so `wide` is not the least */
+        if (c - s - s * s > least + 1e-9) continue; /* `wide` is above c - s - s * s, so it is not the least */
         const double wide = s < 1.0 ? c * sqrt(1.0 - s * s) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * s : -1.0;
         if (wide < least) least = wide;
     }
@@ -4233,8 +4259,8 @@ SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal
                        rays, seed);
 }
 
-/* Samples the occluder along w at all its radii by the caller's function; each sum is a solid angle and a vector
-   irradiance. */
+/* Samples the occluder along the direction w, at all of the bake's radii, by desc.sample; each sum is a solid angle and
+   a vector irradiance. */
 SSGI__FN void ssgi__field_yours(double sum[][4], const ssgi__field_bake *b, const double w[3], const double *radii)
 {
     float point[3 * 64], out[4 * 64];
@@ -4250,19 +4276,21 @@ SSGI__FN void ssgi__field_yours(double sum[][4], const ssgi__field_bake *b, cons
                                                                    hull */
         ssgi__doubles(sum[i] + 1, out + 4 * i + 1);
         length = ssgi__normalise(sum[i] + 1);
-        most = 1.0 - sum[i][0] / (4.0 * SSGI__PI); /* length of the mean direction of a filled cap */
+        most = 1.0 - sum[i][0] / (4.0 * SSGI__PI); /* length of the mean of all directions in a cap that is filled */
         for (int k = 1; k < 4; ++k) sum[i][k] *= sum[i][0] * (length < most ? length : most);
     }
 }
 
-/* Returns how many rays are traced at a distance; share: the hull's distance / this distance. */
+/* Returns how many rays are traced from a point at a distance from the centre. share: the hull's distance / this
+   distance. */
 SSGI__FN int ssgi__field_rays(int rays, double share)
 {
     const int fewer = (int)((double)rays * share);
     return fewer > 16 ? fewer : 16;
 }
 
-/* Makes one texel of the fine map: takes samples along its direction and fits the components to them. */
+/* Makes one texel of a bake's fine map: takes samples of the occluder along its direction and fits the components to
+   them. */
 SSGI__FN void ssgi__field_texel(void *context, int job)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
@@ -4307,8 +4335,8 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     out[7] = seen > 0.0 ? (float)(fill / seen) : 1.0f;
 }
 
-/* Makes the coarse map: each texel is a Gaussian mean of 4 x 4 fine texels, with a deviation of one fine texel. A fine
-   map of the field's own resolution is copied. */
+/* Makes the field's map of a bake's fine map: each texel is a Gaussian mean of 4 x 4 fine texels, with a deviation of
+   one fine texel. A fine map of the field's own resolution is copied. */
 SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
@@ -4327,7 +4355,7 @@ SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
             }
 }
 
-/* Makes the field's texels, with 8 bits a component over its range, and with borders. */
+/* Makes a field's texels of a bake's coarse map, with 8 bits for each component over its range, and with borders. */
 SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 {
     ssgi_field *f = b->field;
@@ -4408,7 +4436,7 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     }
 }
 
-/* Runs job(context, i) for every i in [0, count), by the caller's threads if there are any. */
+/* Runs job(context, i) for every i in [0, count), by desc->parallel if it is set. */
 SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
 {
     if (desc->parallel) desc->parallel(desc->user, count, job, context);
@@ -4671,7 +4699,7 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     return size;
 }
 
-/* Reads and checks all of a file but its texels. */
+/* Reads and checks all of a field's file except the texels. */
 SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
 {
     static const char corrupt[] = "file: is corrupt";
@@ -4772,7 +4800,7 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
         ssgi__normalise(along);
         ssgi__axes(axes, along);
         for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
-        for (int k = 0; k < 2; ++k) /* each half has rays of its own */
+        for (int k = 0; k < 2; ++k) /* two estimates of the occlusion, by half of the rays each */
             occlusion[k] = ssgi__trace_occlusion(trace, from, axes, radius, rays / 2, 0,
                                                  (uint32_t)(2 * i) + (uint32_t)k);
         for (int k = 0; k < 3; ++k) {
@@ -4821,9 +4849,9 @@ enum {
     SSGI__PLAN_O = SSGI_PLAN_WANTED_OBJECTS
 };
 
-/* make fit prints the rows. NOTHING is no ambient occlusion. The columns from E on are weights of the terms above. The
-   three rows with CONSTANT have CPU costs and weights that were measured with SOLID: make fit has not been run for them
-   since. */
+/* A table of the planner's choices, whose rows make fit prints. NOTHING is no ambient occlusion. The columns from E on
+   are the weights of the terms, SSGI__PLAN_UNOCCLUDED and so on. The three rows with CONSTANT have CPU costs and
+   weights that were measured with SOLID: make fit has not been run for them since. */
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   /*                  thickness
                       |         resolution
@@ -4902,15 +4930,16 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 /* The energies of a clear sky's bands are those of the examples' "sky". */
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
 
-/* Weights that give squared errors from a survey's squares (make fit). The rows give the errors of no occlusion, of
-   hsao and of hsao with slabs; the columns weigh occlusion, detail, solid and slabs. The first table is for surveys
-   without slabs, the second for surveys with slabs. */
+/* Two tables of weights (make fit), the first for surveys without slabs, the second for surveys with slabs. A row gives
+   a squared error, of no occlusion, of hsao or of hsao with slabs, as the sum of a survey's squares times the row's
+   weights. The columns are the survey's members: occlusion, detail, solid, slabs. */
 static const float ssgi__plan_survey[2][3][4] = {
     { { 1.2f, 0.148f, 0, 0 }, { 0.0756f, 2.54f, 0, 0 }, { 0.0446f, 2.5f, 0, 0 } },
     { { 1.25f, 0, 0, 0.0169f }, { 0.0504f, 2.19f, 0, 1.04f }, { 0.0454f, 2.45f, 0, 0.0613f } }
 };
 
-/* The costs of splats and fields in addition to a choice's own, in software and on a GPU. */
+/* A table of costs by device, software and then a GPU: the costs of splats and fields, which are added to a choice's
+   own. */
 static const struct {
     float texel, surfel; /* cost of as many texels of splats, or surfels, as the frame has pixels */
     float occluder;      /* cost of an occluder that reaches all pixels */
@@ -4944,7 +4973,8 @@ SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
     for (int k = 0; k < (known[2] > 0.0 ? 3 : 2); ++k) square[k] = known[k] * known[k];
 }
 
-/* Writes the terms of a scene for a choice: COARSE depends on its size of surfels. */
+/* Writes the terms by which a choice's error is predicted for a scene; SSGI__PLAN_COARSE depends on the choice's
+   surfel_size. */
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const float *energy = ssgi__plan_energy(s);
@@ -4960,8 +4990,8 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
-/* Whether a choice serves scene->wanted, needs nothing that the scene does not give, and gains enough by the light's
-   directions if it uses them. */
+/* Returns whether a choice serves scene->wanted, needs nothing that the scene does not give, and gains enough by the
+   light's directions if it uses them. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int m = row->method;
@@ -4976,7 +5006,7 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * (double)s->error;
 }
 
-/* Returns the number of pixels at full resolution for each pixel that a choice draws. */
+/* Returns how many pixels of the frame there are for each pixel that a choice draws: 1, 4 or 16, by its resolution. */
 SSGI__FN double ssgi__plan_drawn(const ssgi__plan_row *row)
 {
     return row->resolution == SSGI__PLAN_QUARTER ? 16.0 : row->resolution ? 4.0 : 1.0;
@@ -5024,15 +5054,15 @@ SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
     return SSGI_OK;
 }
 
-/* Appends a word without its terminating 0. Returns the place after it. */
+/* Appends a word to a sentence, without its terminating 0. Returns the address behind it. */
 SSGI__FN char *ssgi__plan_word(char *at, const char *word)
 {
     while (*word) *at++ = *word++;
     return at;
 }
 
-/* Appends an error in 4 decimals, 9.9999 at most. Returns the place after it. It does not call snprintf: stdio.h is not
-   included here, and a locale would choose the decimal point. */
+/* Appends an error in 4 decimals, 9.9999 at most. Returns the address behind it. It does not call snprintf: stdio.h is
+   not included here, and a locale would choose the decimal point. */
 SSGI__FN char *ssgi__plan_figure(char *at, float x)
 {
     const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
@@ -5069,7 +5099,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__THERE(plan);
     SSGI__TRY(ssgi__plan_bad(s, why));
     memset(&best, 0, sizeof best);
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the least error, or the one asked for if larger */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the goal: the least error within the budget, or the error asked for
+                                                     if that is larger */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (!tried++ || p.error < goal) goal = p.error;
     }
@@ -5232,8 +5263,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    fetch code is called as before.
 
    Tools: files of make glsl are named by field and word (hsao.450.thickness-slabs.frag), make glsl-in is gone, and no
-   tool counts fetches in GLSL any more: make cost counts what a compiler makes of it. make dist packs a release. The npm
-   package has no folders glsl and wgsl any more: Ssgi.shader makes the GLSL, and package ssgi-wgsl has the WGSL.
+   tool counts fetches in GLSL any more: make cost counts what a compiler makes of it. make dist packs a release. The
+   npm package has no folders glsl and wgsl any more: Ssgi.shader makes the GLSL, and package ssgi-wgsl has the WGSL.
 
    Corrected: rays passed between triangles if multiply and add were fused, past long edges from close by, and through
    triangles that they met along their plane. A wrong count of lights, occluders or levels could keep a GPU busy for

@@ -5411,8 +5411,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    texels as blur does, but by the surface that you shade. It need not be the surface that the depth buffer shows. */
 
 /* If no texel shows the shaded surface, for instance a pane in front of all others, then nothing is known to occlude
-   it. So the value "unoccluded" has this weight in the mean. At full resolution texels of other surfaces have no
-   weight. Below it their weight falls with the distance, and "unoccluded" weighs as much as 3x3 texels at a distance of
+   it. So the value 1 (unoccluded) has this weight in the mean. At full resolution texels of other surfaces have no
+   weight. Below it their weight falls with the distance, and that value weighs as much as 3x3 texels at a distance of
    one radius, or of 16 units of SSGI_OFF if that is more. Half a radius would serve panes better, but is worse on
    leaves around which all texels show other leaves. On grass, over the pixels that differ by .002, the error is .272
    with half a radius (the filter's: .258), and .270 with a whole one (the filter's: .264). */

@@ -1,7 +1,8 @@
 #!/bin/sh
 # pictures.sh - pictures of README, METHODS.md and TUNING.md: make pictures [ONLY=radius]. A picture is its name, a crop
-# of 1280x720, by how much that is enlarged (without a filter) and, if it has several rows, how many panels a row has;
-# then its panels, each a label and what build/render is given. Of --frames a panel is the last frame.
+# of 1280x720, by how much that is enlarged (without a filter), if it has several rows how many panels a row has, and
+# another size than 1280x720; then its panels, each a label and what build/render is given. Of --frames a panel is the
+# last frame.
 set -e
 cd "$(dirname "$0")/../.."
 command -v montage >/dev/null || sh examples/kit/install.sh imagemagick fonts-dejavu-core
@@ -12,9 +13,9 @@ draw() {    # label, flags
     panel=$work/$name-$(printf %02d $count).png
     case $2 in
         *--frames*)
-            build/render $2 --size 1280x720 --out "$work/frame-%04d.png" >/dev/null
+            build/render $2 --size "$size" --out "$work/frame-%04d.png" >/dev/null
             mv "$(ls "$work"/frame-* | tail -n 1)" "$panel" && rm -f "$work"/frame-* ;;
-        *) build/render $2 --size 1280x720 --out "$panel" >/dev/null ;;
+        *) build/render $2 --size "$size" --out "$panel" >/dev/null ;;
     esac
     convert "$panel" -crop "$crop" +repage -scale "$scale" -set label "$1" "$panel"
 }
@@ -25,9 +26,9 @@ finish() {
     echo "examples/docs/pictures/$name.png"
 }
 
-while IFS='|' read -r first second third fourth; do
+while IFS='|' read -r first second third fourth fifth; do
     case $third:$first in
-        ?*:*) name=$first crop=$second scale=$third row=$fourth count=0 ;;
+        ?*:*) name=$first crop=$second scale=$third row=$fourth size=${fifth:-1280x720} count=0 ;;
         :) case $name in *"$ONLY"*) finish ;; esac ;;
         *) case $name in *"$ONLY"*) draw "$first" "$second" ;; esac ;;
     esac
@@ -80,5 +81,26 @@ thickness|420x280+640+400|100%
 DEFAULT|plates
 BACK|plates --set thickness=back
 ray tracing|plates --truth 256
+
+bleeding|230x220+180+120|100%||640x360
+ssdo without a bounce|cornell --method ssdo --light sun:0.9,0.35,0.8,4,4,4 --env white --env-strength 0.15 --radius 3 --set bounce=none
+ssdo|cornell --method ssdo --light sun:0.9,0.35,0.8,4,4,4 --env white --env-strength 0.15 --radius 3
+ray tracing|cornell --method ssdo --light sun:0.9,0.35,0.8,4,4,4 --env white --env-strength 0.15 --radius 3 --truth 64
+
+normal-rays|120x90+340+240|200%||640x360
+the horizon alone|pebbles --method hsao-march --set directions=8,samples=18,normal_rays=0
+with a normal ray for each direction|pebbles --method hsao-march --set directions=8,samples=18,normal_rays=1
+ray tracing|pebbles --truth 64
+
+hidden|240x170+80+60|100%||640x360
+hsao-best|columns --method hsao-best
+dss-best|columns --method dss-best
+ray tracing|columns --truth 64
+
+decay|240x140+200+220|100%|2|640x360
+aof, 0.2 above the ground|sphere --method aof --slide 0,0.2,0
+ray tracing|sphere --method aof --slide 0,0.2,0 --truth 64
+aof, 0.8 above the ground|sphere --method aof --slide 0,0.8,0
+ray tracing|sphere --method aof --slide 0,0.8,0 --truth 64
 
 ROWS

@@ -133,7 +133,7 @@ enum { KIT_HEADER_PLACE = 1, KIT_HEADER_WINDOW = 2, KIT_HEADER_RADIUS = 4, KIT_H
 typedef struct kit_header {
     int   has;
     float world_to_camera[16];             /* relative to origin */
-    double origin[3];
+    double origin[3];                      /* a mesh's, or the eye */
     int   orthographic;
     float height, centre[2];               /* of the screen window: at distance 1; in world units if orthographic */
     float radius;

@@ -350,6 +350,8 @@ typedef struct kit_run {
     ssgi_gl_frame frame;                   /* change it as you like before a draw, then call kit_run_update */
     int           lit, passes, textures, views, vpls;
     kit_pass      pass[KIT_MAX_PASSES];
+    ssgi_gl_chain chain[2];                /* the chains of these passes, without passes that are aside */
+    int           chains;
     /* textures of the result: ambient visibility, or irradiance over pi; and the bounce's irradiance over pi */
     GLuint        light, bounce;
     GLuint        texture[KIT_MAX_TEXTURES];   /* all textures that the run frees */

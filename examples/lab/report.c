@@ -203,8 +203,8 @@ static const char usage[] = "report demo | chart | light | seeds | papers | fit 
 /* Options behind the commands, each with those that take it. */
 static int helped(int argc, char **argv)
 {
-    enum { LENGTH = 160 };
-    static char name[COUNT(arguments)][LENGTH], text[COUNT(arguments)][2 * LENGTH];
+    enum { LONGEST = 160 };
+    static char name[COUNT(arguments)][LONGEST], text[COUNT(arguments)][2 * LONGEST];
     kit_help_entry help[1 + COUNT(commands) + COUNT(arguments) + 1] = {
         { NULL, "Measures the methods, and adds a page of the command's name to index.html." } }, *to = help + 1;
     for (const struct command *c = commands; c < commands + COUNT(commands); ++c)

@@ -210,6 +210,7 @@ int kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GLuint *
         for (int o = 0; o < KIT_HISTORIES; ++o)
             if (run->pass[i].last[o]) last[run->pass[i].step->output[o].texture] = run->pass[i].last[o];
     for (int i = 0; i < count && !failed; ++i) connect(&run->pass[first + i], textures, last, light, bounce);
+    if (!aside && run->chains < 2) run->chain[run->chains++] = *chain;
     free(step);
     return failed ? -1 : 0;
 }

@@ -309,13 +309,13 @@ static int take_parts(const compiler *c, pipeline *p, VkPipeline made, kit_error
 {
     FUNCTION(vkGetPipelineExecutablePropertiesKHR);
     const VkPipelineInfoKHR info = { .sType = VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR, .pipeline = made };
-    VkPipelineExecutablePropertiesKHR about[STAGES + 1];
-    uint32_t count = STAGES + 1;
-    for (int i = 0; i <= STAGES; ++i)
+    VkPipelineExecutablePropertiesKHR about[SHADER_STAGES + 1];
+    uint32_t count = SHADER_STAGES + 1;
+    for (int i = 0; i <= SHADER_STAGES; ++i)
         about[i] = (VkPipelineExecutablePropertiesKHR) {
             .sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR };
     get_vkGetPipelineExecutablePropertiesKHR(c->device, &info, &count, about);
-    for (uint32_t i = 0; i < count && p->parts < STAGES; ++i) {
+    for (uint32_t i = 0; i < count && p->parts < SHADER_STAGES; ++i) {
         const VkPipelineExecutableInfoKHR which = { .sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR,
                                                     .pipeline = made, .executableIndex = i };
         executable *e = &p->part[p->parts++];
@@ -392,7 +392,7 @@ static VkResult make_pipeline(const compiler *c, VkPipeline *made, const needs *
 
 int compile(const compiler *c, pipeline *p, const spirv *stage, int stages, const VkFormat *formats, kit_error *err)
 {
-    VkPipelineShaderStageCreateInfo info[STAGES];
+    VkPipelineShaderStageCreateInfo info[SHADER_STAGES];
     VkDescriptorSetLayout group[MOST_GROUPS] = { VK_NULL_HANDLE };
     VkPipeline made = VK_NULL_HANDLE;
     needs n;

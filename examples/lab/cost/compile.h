@@ -15,7 +15,7 @@ typedef struct compiler {
     int least_lanes;                                    /* lanes of the smallest wave */
 } compiler;
 
-enum { STAGES = 5 };            /* vertex, tessellation control and evaluation, geometry, fragment */
+enum { SHADER_STAGES = 5 };            /* vertex, tessellation control and evaluation, geometry, fragment */
 
 /* The SPIR-V of one stage; count: in words of 32 bits. */
 typedef struct spirv { uint32_t *word; size_t count; VkShaderStageFlagBits stage; } spirv;
@@ -28,7 +28,7 @@ typedef struct executable {
 } executable;
 
 /* seconds: processor time of the compilation. */
-typedef struct pipeline { executable part[STAGES]; int parts; double seconds; } pipeline;
+typedef struct pipeline { executable part[SHADER_STAGES]; int parts; double seconds; } pipeline;
 
 /* To be called first. 0: RADV is missing, as err says. */
 int compiler_exists(kit_error *err);

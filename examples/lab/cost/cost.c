@@ -8,6 +8,7 @@
 #include "lab/cost/entered.h"
 #include "lab/cost/peers.h"
 #include "lab/cost/plan.h"
+#include "lab/cost/sheets.h"
 #include "lab/cost/show.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
@@ -18,7 +19,7 @@
 #define ROOM     "examples/lab/cost"
 #define RECORDED ROOM "/recorded.csv"
 
-typedef struct asked { const char *against; int check, record, plan, peers, some; } asked;
+typedef struct asked { const char *against; int check, record, plan, papers, peers, some; } asked;
 
 static work work_of_all;
 
@@ -52,6 +53,7 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
         else if (!strcmp(argv[i], "--record")) a->record = 1;
         else if (!strcmp(argv[i], "--plan")) a->plan = 1;
         else if (!strcmp(argv[i], "--peers")) a->peers = 1;
+        else if (!strcmp(argv[i], "--papers")) a->papers = 1;
         else if (!strcmp(argv[i], "--against") && more) a->against = argv[++i];
         else if (!strcmp(argv[i], "--family") && more) { if (take_families(w, argv[++i], err)) return -1; }
         else if (*argv[i] == '-') return kit_fail(err, "%s: is no option, or lacks its value", argv[i]);
@@ -60,6 +62,7 @@ static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *e
     }
     if (a->plan) return plan_add(w, err);
     if (a->peers) return peers_add(w, err);
+    if (a->papers) return sheets_add(w, err);
     for (int i = 0; !a->some && chain_at(i); ++i)
         if (work_add_chain(w, chain_at(i), err)) return -1;
     return 0;
@@ -92,6 +95,14 @@ static int write_plan(const work *w, kit_error *err)
     return page_close(&p, "report", "plan-cost.csv", err);
 }
 
+static int write_papers(const work *w, kit_error *err)
+{
+    page p;
+    if (page_open(&p, err)) return -1;
+    sheets_write(p.file, w);
+    return page_close(&p, "examples/lab/papers", "modelled.csv", err);
+}
+
 static int write_recorded(const csv *now, kit_error *err)
 {
     page p;
@@ -105,6 +116,7 @@ static int run(work *w, const asked *a, kit_error *err)
     page table;
     if (work_do(w, err)) return -1;
     if (a->plan) return write_plan(w, err);
+    if (a->papers) return write_papers(w, err);
     if (page_open(&table, err)) return -1;
     write_costs(table.file, w);
     fflush(table.file);
@@ -117,7 +129,7 @@ static int run(work *w, const asked *a, kit_error *err)
     return a->against ? against_show(&now, a->against, err) : 0;
 }
 
-static const char usage[] = "cost [options] [CHAIN ..] [FILE.frag ..] | cost --shares | --plan | --peers";
+static const char usage[] = "cost [options] [CHAIN ..] [FILE.frag ..] | cost --shares | --plan | --papers | --peers";
 static const kit_help_entry help[] = {
     { NULL, "Compiles passes by Mesa's compiler for GPUs that need not be here, counts their instructions, and "
             "estimates milliseconds at 1920x1080. Nothing is executed. Without arguments it prints every chain that "
@@ -131,6 +143,7 @@ static const kit_help_entry help[] = {
     { "--shares", "Measures how many waves enter the branches that they may skip, on the scenes by seed 0 to 11, and "
                   "writes examples/lab/cost/shares.csv anew, in three minutes. It draws with GL." },
     { "--plan", "Estimates the planner's choices on an RX 6800: report/plan-cost.csv." },
+    { "--papers", "Models the papers' rows that have times: examples/lab/papers/modelled.csv." },
     { "--peers", "Estimates the effects that make peers has brought: report/cost-peers.csv." },
     { NULL, NULL }
 };

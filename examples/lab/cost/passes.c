@@ -125,17 +125,22 @@ int work_add_chain(work *w, const char *text, kit_error *err)
 
 int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *err)
 {
+    cost_chain *c = work_chain(w, name, err);
+    return c ? work_add_to(w, c, chain, err) : -1;
+}
+
+int work_add_to(work *w, cost_chain *c, const ssgi_gl_chain *chain, kit_error *err)
+{
     static ssgi_gl_step steps[MOST_STEPS];
     ssgi_gl_chain described = *chain;
-    cost_chain *c = work_chain(w, name, err);
-    if (!c) return -1;
     for (int i = SIZES; i-- > 0;) {                         /* WIDTH x HEIGHT comes last, as it is used below */
         const int *size = sizes[(i + 2) % SIZES];
         described.width = size[0];
         described.height = size[1];
         const int count = chain_steps(steps, &described, SSGI_GL_DIALECT_VULKAN, &c->lacks);
         if (!count) return 0;
-        if (count > MOST_PASSES) return kit_fail(err, "%s: has more than %d passes", name, MOST_PASSES);
+        if (count + c->passes > MOST_PASSES)
+            return kit_fail(err, "%s: has more than %d passes", c->name, MOST_PASSES);
         c->targets[(i + 2) % SIZES] = target_bytes(steps, count);
         for (int k = 0; size[0] == WIDTH && k < count; ++k) {
             const int program = program_of_step(w, &steps[k], err);

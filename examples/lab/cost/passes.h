@@ -22,9 +22,9 @@ typedef struct cost_program {
     uint64_t key;
     const char *pass;                       /* the first pass with this program; assumptions on loops depend on it */
     ssgi_gl_desc desc;                      /* of that pass */
-    char *text[STAGES];
-    VkShaderStageFlagBits kind[STAGES];
-    spirv stage[STAGES];
+    char *text[SHADER_STAGES];
+    VkShaderStageFlagBits kind[SHADER_STAGES];
+    spirv stage[SHADER_STAGES];
     int stages, formats, relaxed;           /* relaxed: the shaders are OpenGL's, with uniforms outside of blocks */
     VkFormat format[8];
     double seconds;                         /* glslang's processor time */
@@ -62,6 +62,8 @@ typedef struct work {
    FILE.frag.spv, and the vertex stage of that name, if it is there. */
 int work_add(work *w, const char *name, const ssgi_gl_chain *chain, kit_error *err);
 int work_add_chain(work *w, const char *text, kit_error *err);
+/* A chain's passes to one that has others. */
+int work_add_to(work *w, cost_chain *c, const ssgi_gl_chain *chain, kit_error *err);
 int work_add_file(work *w, const char *path, kit_error *err);
 /* work_chain: a chain without passes; NULL: there are too many. work_program: the index of the program with these
    shaders, which it takes over, and formats; -1: there are too many. */

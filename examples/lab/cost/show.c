@@ -49,8 +49,8 @@ double pass_ms(const work *w, const cost_pass *p, int family, way how, const dev
     const double texels = (double)p->width * p->height;
     const load l = { texels, c->vector, c->transcendental, c->fetches, c->wide_fetches, p->bytes_in + p->bytes_out,
                      of->waves };
-    return p->vertices ? splat_ms(w, p, family, how, d, SPLATS * texels / (p->vertices / QUAD), SURFELS, which)
-                       : model(d, &l, which);
+    if (!p->vertices) return model(d, &l, which);
+    return splat_ms(w, p, family, how, d, MEAN_SPLATS * texels / (p->vertices / QUAD), MEAN_SURFELS, which);
 }
 
 double chain_ms(const work *w, const cost_chain *c, int family, way how, const device *d)

@@ -6,11 +6,11 @@
 #include "lab/cost/passes.h"
 #include <stdio.h>
 
-/* SURFELS: of a scene at 1920x1080; SPLATS: texels of occlusion splats for each gathered texel. They are means of seeds
-   0 to 20, which have 8 to 142 (build/render random:N --size 1920x1080 --method dss-best --set levels=4 --time 1 prints
-   both). Other effects are taken to have as many. */
-#define SPLATS 55.0
-#define SURFELS 33e3
+/* MEAN_SURFELS: of a scene at 1920x1080; MEAN_SPLATS: texels of occlusion splats for each gathered texel. They are of
+   seeds 0 to 20, which have 8 to 142 (build/render random:N --size 1920x1080 --method dss-best --set levels=4 --time 1
+   prints both). Other effects are taken to have as many. */
+#define MEAN_SPLATS 55.0
+#define MEAN_SURFELS 33e3
 enum { QUAD = 6 };                          /* vertices of a surfel on one level */
 
 /* Milliseconds on a device: of a pass that splats so many texels, of any pass, of a chain. Each splatted texel is read

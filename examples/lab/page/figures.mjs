@@ -213,10 +213,11 @@ ${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}${m
 
 /* A paper's sheet: its printed figures beside those drawn here, then its claims, their rules and the outcomes. */
 function sheet(t) {
-    const kinds = { printed: 'the paper', measured: 'here', time: 'here, a time' },
+    const kinds = { printed: 'the paper', measured: 'here', time: 'here, a time', modelled: 'here, modelled' },
         of = (row, head) => t.rows.find(c => c.row === row && head === `${kinds[c.kind]}: ${c.head}`)?.text;
     const all = kind => t.rows.filter(c => c.kind === kind),
-        heads = new Set(t.rows.filter(c => c.row > 0 && kinds[c.kind]).map(c => `${kinds[c.kind]}: ${c.head}`));
+        shown = t.rows.filter(c => c.row > 0 && kinds[c.kind] && (c.kind !== 'modelled' || c.text)),
+        heads = new Set(shown.map(c => `${kinds[c.kind]}: ${c.head}`));
     const rule = c => all('rule').filter(r => r.row === c.row).map(r => `${r.head}: ${r.text}`)[0];
     return `### [${t.rows[0].paper}] ${t.heading}
 
@@ -232,7 +233,8 @@ function papers(sheets) {
     const rows = [...sheets.map(t => [`[${t.rows[0].paper}] ${t.heading}`, ...heads.map(h => count(h[1])(t))]),
         ['all', ...heads.map(h => sum(h[1]))]];
     return `What the papers say of their tables and figures, judged by what is drawn here on comparable scenes. The page
-has pictures. A column that is called a time differs from run to run; no other figure does.
+has pictures. A column that is called a time differs from run to run; no other figure does. Statements on times are
+judged by a model of an RX 6800 at 1920x1080 (\`make cost-papers\`), or say why they are not.
 
 ${table(['figure', ...heads.map(h => h[0])], rows)}
 

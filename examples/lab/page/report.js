@@ -364,6 +364,7 @@ function paper(cells) {
                                         : `not drawn: ${word(note)}` };
         for (const c of g) if (c.kind === 'printed') of[`paper: ${c.head}`] = c.text;
         for (const c of g) if (c.kind === 'measured' || c.kind === 'time') of[c.head] = c.text;
+        for (const c of g) if (c.kind === 'modelled' && c.text) of[`${c.head}, modelled`] = c.text;
         return of;
     });
     return [el('p', {}, el('b', {}, 'The paper: '), word(text('theirs')),
@@ -449,26 +450,26 @@ function worst(record) {
 
 /* The first two stand above the demo's first pictures, where a reader needs them. */
 const terms = [
-    ['time', 'How long a picture takes, filters included, over a plain occlusion (ssao) of 16 samples without a filter '
-        + 'on the same machine: 2 is twice as long. Both are drawn in turns; the median of several rounds counts.'],
-    ['error', 'How far a picture is from the ray-traced truth: root mean square difference (RMSE), no gain or exponent '
-        + 'fitted. For occlusion it is divided by the RMSE of a picture without any (tables: share): 0 is the truth, 1 '
-        + 'no better than doing nothing. For light it is divided by the truth\'s mean (radiance).'],
-    ['milliseconds, modelled', 'Of a device, by a compiler\'s count of instructions.'],
-    ['bytes', 'A pixel, all passes: what is read and written, each texel of a pass\'s inputs and outputs once.'],
-    ['bias, p95, SSIM', 'The mean difference (below 0: too dark), the difference that 95 % of the pixels stay under, '
-        + 'structural similarity.'],
-    ['edge, border, inside', 'Shares of the squared error within 3 pixels of a jump in depth; elsewhere, nearer to the '
-        + 'border than the radius is long; and in the rest.'],
-    ['model, noise', 'The model\'s error is what the mean picture over phases of the noise is off; the noise is what a '
-        + 'pixel varies by.'],
-    ['floor', 'The exact answer from one depth layer, taken as thin sheets. What lies between it and the truth is not '
-        + 'in the depth buffer.'],
-    ['the broad line', 'No other point of the chart is both faster and closer to the truth.'],
-    ['radiance, irradiance, bounce', 'RMSE over the truth\'s mean, red, green and blue together: light that leaves the '
-        + 'surface; that arrives, over pi; that was reflected once before.'],
-    ['three.js, n8ao, Babylon.js, PlayCanvas', 'Others\' own code, denoisers included, on the same depth and normals. '
-        + 'Fitted: after the better of a v^b and 1 - a (1 - v)^b for each picture, found with the truth in hand.']
+    ['time', 'The time of an image, denoisers included, over that of ssao with 16 samples and without a denoiser on '
+        + 'the same machine: 2 is twice as long. Both are drawn in turns, and the median of several rounds counts.'],
+    ['error', 'The RMSE of an image against ray tracing, without a fitted gain or exponent. For occlusion it is '
+        + 'divided by the RMSE of an image without any (tables: share): 0 is exact, 1 is no better than doing nothing. '
+        + 'For light it is divided by the mean of the ray-traced light (radiance).'],
+    ['milliseconds, modelled', 'An estimate for a GPU, from a compiler\'s count of instructions.'],
+    ['bytes', 'The bytes that all passes read and write for a pixel. Each texel of their textures counts once.'],
+    ['bias, p95, SSIM', 'The mean difference, below 0 if the image is too dark; the difference that 95 % of the pixels '
+        + 'stay below; and structural similarity.'],
+    ['edge, border, inside', 'Shares of the squared error: within 3 pixels of a jump in depth; elsewhere, nearer to '
+        + 'the border than the radius is long; and in the rest.'],
+    ['model, noise', 'The model\'s error is that of the mean image over phases of the noise. The noise is the '
+        + 'deviation of a pixel over these phases.'],
+    ['floor', 'The exact answer if the surfaces of one depth layer are thin sheets. Information that would lower this '
+        + 'error is not in the depth buffer.'],
+    ['the broad line', 'No other point of the chart is both faster and more accurate.'],
+    ['radiance, irradiance, bounce', 'RMSE over the mean of the ground truth, red, green and blue together, of the '
+        + 'light that leaves the surface; of the light that arrives, over pi; and of light reflected once before.'],
+    ['three.js, n8ao, Babylon.js, PlayCanvas', 'The code of these libraries, denoisers included, on the same depth and '
+        + 'normals. Fitted: after the better of a v^b and 1 - a (1 - v)^b for each image, found by the ground truth.']
 ];
 
 /* Each record's command and subject. The page also lists those that have not run, so that readers know of them. */
@@ -482,7 +483,7 @@ const commands = [
     ['papers', 'make papers', "the papers' tables and figures"],
     ['cost', 'make cost', 'milliseconds of a GPU, modelled'],
     ['cost-peers', 'make cost-peers', "the same of others' effects"],
-    ['quiet', 'make quiet', 'mottling'],
+    ['quiet', 'make quiet', 'noise that the eye sees'],
     ['bench', 'make bench', 'milliseconds, measured on a GPU']
 ];
 function missing() {
@@ -495,9 +496,9 @@ function missing() {
 const pictures = [
     { picture: 'lit', width: 1284, height: 266, label: 'A whole frame, lit by the sky',
       note: 'without occlusion; with ssdo and one bounce; by ray tracing' },
-    { picture: 'beside-1001', width: 1266, height: 660, label: 'A crop at 200 %, beside the effects of others',
-      note: 'one frame each; README says how it was chosen' },
-    { picture: 'moving', width: 1384, height: 756, label: 'A box that moves, over frames, at 200 %',
+    { picture: 'beside-1001', width: 1266, height: 660, label: 'A crop at 200 %',
+      note: 'beside other libraries and ray tracing' },
+    { picture: 'moving', width: 1384, height: 756, label: 'A moving box at 200 %',
       note: 'with history; without; by ray tracing' }
 ];
 const glance = () => el('details', { open: true }, el('summary', {}, el('h2', {}, 'At a glance')),
@@ -510,7 +511,7 @@ const methods = [
       'instead, or besides': 'hsao-fast, hsao-best; hsao-history over frames; thickness BACK for wide plates' },
     { method: 'ssdo', picture: 'lit-bunny-ssdo-with-bounce', truth: 'lit-bunny-ray-traced-truth',
       'take it for': 'coloured light with direction, and a diffuse bounce',
-      'instead, or besides': 'ssdo-best; thickness SLABS errs least; chain.reuse makes the bounce cheap' },
+      'instead, or besides': 'ssdo-best; thickness SLABS has the least error; chain.reuse makes the bounce cheap' },
     { method: 's3ho', picture: 'lit-blocks-s3ho', truth: 'lit-blocks-ray-traced-truth',
       'take it for': 'the same, of light kept as spherical harmonics',
       'instead, or besides': 's3ho-fast, s3ho-best; shadow maps for long shadows of suns' },

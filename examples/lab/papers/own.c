@@ -4,28 +4,35 @@
 #include "lab/papers/sheet.h"
 
 /* The terms of hsao: without normal rays; with them, less the former; the filter, behind a gather of one sample. */
+const entry sheet_parts[PARTS] = {
+    { "horizon", "hsao-march", "directions=7,samples=12,normal_rays=0,blur=0", 1 },
+    { "both", "hsao-march", "directions=7,samples=12,normal_rays=1,blur=0", 1 },
+    { "one tap", "hsao-march", "directions=1,samples=1,normal_rays=0,blur=0", 1 },
+    { "one tap, filtered", "hsao-march", "directions=1,samples=1,normal_rays=0,filter=gaussian,blur=2", 1 }
+};
+void sheet_passes(row *r, const double ms[PARTS])
+{
+    double *const own = &r->figure[STAGE];
+    own[0] = ms[0];
+    own[1] = ms[1] - ms[0];
+    own[2] = ms[3] - ms[2];
+    own[3] = own[1] / own[0];
+    own[4] = own[2] / own[0];
+}
+
 static int draw_passes(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
-    static const entry parts[] = {
-        { "horizon", "hsao-march", "directions=7,samples=12,normal_rays=0,blur=0", 1 },
-        { "both", "hsao-march", "directions=7,samples=12,normal_rays=1,blur=0", 1 },
-        { "one tap", "hsao-march", "directions=1,samples=1,normal_rays=0,blur=0", 1 },
-        { "one tap, filtered", "hsao-march", "directions=1,samples=1,normal_rays=0,filter=gaussian,blur=2", 1 }
-    };
-    row part[COUNT(parts)];
+    row part[PARTS];
     for (int i = 0; i < t->count; ++i) {
         stage s;
-        double *const own = &rows[i].figure[STAGE];
+        double ms[PARTS];
         if (o->quick && t->rows[i].slow) continue;
-        if (sheet_open(&s, t, &t->rows[i], err) || measure_times(part, &s, parts, COUNT(parts), sheet_rounds(o), err))
+        if (sheet_open(&s, t, &t->rows[i], err) || measure_times(part, &s, sheet_parts, PARTS, sheet_rounds(o), err))
             return -1;
         if (i + 1 == t->count) sheet_about(record, &s);
         const double unit = part[0].ms / part[0].relative;
-        own[0] = part[0].ms;
-        own[1] = unit * (part[1].relative - part[0].relative);
-        own[2] = unit * (part[3].relative - part[2].relative);
-        own[3] = own[1] / own[0];
-        own[4] = own[2] / own[0];
+        for (int k = 0; k < PARTS; ++k) ms[k] = unit * part[k].relative;
+        sheet_passes(&rows[i], ms);
         stage_close(&s);
     }
     return 0;
@@ -63,14 +70,10 @@ static int draw_stages(FILE *record, const options *o, const sheet *t, row *rows
     return 0;
 }
 
-/* Times, and the frames that are lost by them. Averages are means of the loss over all sizes, as in the paper. */
-static int draw_rates(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
+enum { AVERAGES = 2, OF_THREE = 18 };
+/* Averages are means of the loss over all sizes, as in the paper. */
+void sheet_rates(const sheet *t, row *rows)
 {
-    enum { AVERAGES = 2, OF_THREE = 18 };
-    sheet sizes = *t;
-    sizes.count -= AVERAGES;
-    sizes.drawn = TIMES;
-    if (sheet_draw(record, o, &sizes, rows, err)) return -1;
     for (int k = 0; k < AVERAGES; ++k) {
         double sum = 0;
         int known = 0;
@@ -81,8 +84,17 @@ static int draw_rates(FILE *record, const options *o, const sheet *t, row *rows,
             sum += *lost;
             ++known;
         }
-        rows[sizes.count + k].figure[STAGE] = sum / known;
+        rows[t->count - AVERAGES + k].figure[STAGE] = sum / known;
     }
+}
+
+static int draw_rates(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
+{
+    sheet sizes = *t;
+    sizes.count -= AVERAGES;
+    sizes.drawn = TIMES;
+    if (sheet_draw(record, o, &sizes, rows, err)) return -1;
+    sheet_rates(t, rows);
     return 0;
 }
 

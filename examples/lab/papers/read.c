@@ -177,7 +177,7 @@ static void read_claim(claim *c, const sheet *t, const line *l)
 {
     const char *head = csv_text(&l->of, l->at, "column"), *beside = csv_text(&l->of, l->at, "beside");
     *c = (claim){ .says = text_of(l, "says"), .why = text_of(l, "why"), .row = whole(l, "row") - 1,
-                  .beside = *beside ? atoi(beside) - 1 : ALONE };
+                  .beside = *beside ? atoi(beside) - 1 : ALONE, .unmodelled = text_of(l, "unmodelled") };
     while (c->column < MOST_HEADS && t->column[c->column].head && strcmp(t->column[c->column].head, head))
         ++c->column;
     if (c->column == MOST_HEADS || !t->column[c->column].head) fault(l, "column");

@@ -92,8 +92,8 @@ int sheet_timed(const sheet *t, int c)
 
 int sheet_holds(const sheet *t, const claim *c, const row *rows)
 {
+    if (!(rows = sheet_judge(&t, c, rows))) return UNJUDGED;
     const double v = sheet_judged(t, c, rows);
-    if (sheet_timed(t, c->column) && kit_gl_is_software()) return UNJUDGED;
     return isnan(v) ? UNKNOWN : v > c->least && v < c->most;
 }
 

@@ -13,7 +13,9 @@
              it is relative to; ours: for a published algorithm, the row of the library's own; half: drawn at half the
              width and height; slow: the quick form leaves it out
    claims    a statement of the paper on a row, or on a row beside another, in a column, as a rule (below); why: the
-             reason if it does not hold
+             reason if it does not hold; unmodelled: for times, the reason why make cost's model cannot judge them
+   modelled  milliseconds of rows by that model (build/cost --papers), which judge times if a software rasteriser draws;
+             part: which of a row's passes, from 0 on, on a sheet that is drawn as passes
    views     the scene, its light and its truth, as in lab/measure/stage.h
    absent    parts of a paper that are on no sheet, and why, or where a similar one is shown
    words     the text that replaces {word} in any of these texts */
@@ -61,7 +63,7 @@ typedef struct paper_row {
 /* Claims that a row's value in a column, divided by another row's (beside = ALONE: the value itself), lies between two
    bounds, and not at them. It is judged by figures with as many digits as are shown. If the row is of an algorithm as
    published, the library's own row is judged, too. */
-typedef struct claim { const char *says, *why, *rule; int column, row, beside; double least, most; } claim;
+typedef struct claim { const char *says, *why, *rule, *unmodelled; int column, row, beside; double least, most; } claim;
 enum { ALONE = -1 };
 
 typedef struct sheet {
@@ -119,6 +121,23 @@ enum { UNKNOWN = -1, UNJUDGED = -2 };
 int    sheet_holds(const sheet *t, const claim *c, const row *rows);
 /* Whether the library's own rows take part in a claim; own: the claim on those rows. */
 int    sheet_own(claim *own, const sheet *t, const claim *c);
+/* What is drawn of a row that is drawn as passes, and its figures of the milliseconds of these. */
+enum { PARTS = 4 };
+extern const entry sheet_parts[PARTS];
+void   sheet_passes(row *r, const double ms[PARTS]);
+/* Of times of all sizes which frames are lost, and the averages below them. */
+void   sheet_rates(const sheet *t, row *rows);
+
+/* ---- modelled.c: times by the model of make cost */
+
+/* A sheet's rows as modelled, which last until the next call, and the sheet with more digits, as a GPU takes few
+   milliseconds; NULL: there are none. */
+const row *sheet_modelled(sheet *finer, const sheet *t);
+/* What judges a claim: the rows; of times that a software rasteriser took, the modelled ones, with a sheet that shows
+   more digits of them; NULL: nothing does. */
+const row *sheet_judge(const sheet **t, const claim *c, const row *rows);
+/* Whether a row is one of a claim on times that is to be modelled. */
+int    sheet_wants_model(const sheet *t, int i);
 
 /* ---- show.c: a sheet and its rows, as csv, as text */
 

@@ -20,23 +20,26 @@ static const char *number(char text[32], double v)
     return text;
 }
 
-/* Writes the bounds beyond which a claim that holds would fail, or within which one that fails would hold. */
+/* Writes the bounds beyond which a claim that holds would fail, or within which another would hold. */
 static void put_bounds(FILE *f, const claim *c, int holds)
 {
     const int lower = isfinite(c->least), upper = isfinite(c->most);
     char least[32], most[32];
     number(least, c->least);
     number(most, c->most);
-    if (holds && lower && upper) fprintf(f, "would not at %s or less, nor at %s or more", least, most);
-    else if (holds) fprintf(f, "would not at %s or %s", lower ? least : most, lower ? "less" : "more");
-    else if (lower && upper) fprintf(f, "would between %s and %s", least, most);
-    else fprintf(f, "would %s %s", lower ? "above" : "below", lower ? least : most);
+    if (holds > 0 && lower && upper) fprintf(f, "would not at %s or less, nor at %s or more", least, most);
+    else if (holds > 0) fprintf(f, "would not at %s or %s", lower ? least : most, lower ? "less" : "more");
+    else if (lower && upper) fprintf(f, "would%s between %s and %s", holds ? " agree" : "", least, most);
+    else fprintf(f, "would%s %s %s", holds ? " agree" : "", lower ? "above" : "below", lower ? least : most);
 }
 
 static void put_verdict(FILE *f, const sheet *t, const claim *c, const row *rows)
 {
     const int holds = sheet_holds(t, c, rows);
+    const row *drawn = rows;
     char a[32], b[32], of[32];
+    rows = sheet_judge(&t, c, rows);
+    if (rows != drawn) fputs("by the model of a GPU it ", f);
     fprintf(f, "%s (%s", holds ? "agrees" : "does not agree", cell(a, t, rows, c->row, c->column));
     if (c->beside != ALONE)
         fprintf(f, " beside %s: %s of it", cell(b, t, rows, c->beside, c->column),
@@ -53,9 +56,11 @@ const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const
     out[0] = 0;
     if (!f) return out;
     fprintf(f, "%s: ", c->says);
-    if (sheet_holds(t, c, rows) == UNJUDGED)
-        fputs("not judged here, because a software rasteriser has times of its own", f);
-    else if (sheet_holds(t, c, rows) == UNKNOWN) fputs("not known, for a row of it was not drawn", f);
+    if (sheet_holds(t, c, rows) == UNJUDGED) {
+        fprintf(f, "not judged here, because %s (", c->unmodelled ? c->unmodelled : "its times are not modelled");
+        put_bounds(f, c, UNJUDGED);
+        fputc(')', f);
+    } else if (sheet_holds(t, c, rows) == UNKNOWN) fputs("not known, for a row of it was not drawn", f);
     else put_verdict(f, t, c, rows);
     if (sheet_own(&own, t, c) && sheet_holds(t, &own, rows) >= 0) {
         fputs("; as the library has it, ", f);
@@ -86,6 +91,8 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
 {
     static const char *const came_to[] = { "not judged", "unknown", "differs", "agrees" };
     char text[32], said[SENTENCE];
+    sheet finer;
+    const row *modelled = sheet_modelled(&finer, t);
     csv_cell(f, t, 0, "title", "", t->title);
     csv_cell(f, t, 0, "theirs", "", t->theirs);
     if (t->erratum) csv_cell(f, t, 0, "erratum", "", t->erratum);
@@ -99,6 +106,9 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
         for (int c = 0; c < sheet_columns(t); ++c)
             csv_cell(f, t, i + 1, sheet_timed(t, c) ? "time" : "measured", t->column[c].head,
                      cell(text, t, rows, i, c));
+        for (int c = 0; modelled && c < sheet_columns(t); ++c)
+            if (sheet_timed(t, c))
+                csv_cell(f, t, i + 1, "modelled", t->column[c].head, cell(text, &finer, modelled, i, c));
     }
     for (int k = 0; k < t->claimed; ++k) {
         csv_cell(f, t, -1 - k, "rule", t->column[t->claims[k].column].head, t->claims[k].rule);

@@ -148,16 +148,16 @@ static int parse_moves(moves_options *o, int argc, char **argv, kit_error *err)
 static const char usage[] = "stability [options] | stability --moves [options]";
 static const kit_help_entry help[] = {
     { NULL, "Sweeps each method through each cause of failure and measures its error or flicker. It writes "
-            "stability.csv, pictures of each cause and report/index.html, which shows them, and prints a table. An "
-            "option of several values is given several times." },
+            "stability.csv, pictures of each cause and report/index.html, which shows them, and prints a table. "
+            "--cause and --method may be given several times." },
     { "--cause NAME", "Sweeps that cause alone. The first column of stability.csv has the names." },
     { "--method NAME", "Sweeps that method alone." },
     { "--quick", "A smaller run." },
     { "--out FOLDER", "The folder to write into [report]." },
     { NULL, "With --moves it prints a table instead: how steady methods are while a camera moves past things that "
-            "stand still." },
+            "stand still. --scene, --method and --kind may be given several times." },
     { "--scene NAME", "That scene alone." },
-    { "--method METHOD[:KEY=VALUE,..]", "That method alone, with settings as build/render takes them." },
+    { "--method METHOD", "That method alone. Settings may follow: hsao:samples=12." },
     { "--kind NAME", "That kind of movement alone: aside, forward, roll, orbit, cut, \"stop and go\", fast, slow, "
                      "still, jittered, resized or uneven." },
     { "--from SEED", "The first seed of the scenes [0]." },

@@ -186,7 +186,7 @@ static void put_step(FILE *f, const ssgi_gl_step *s, const char *const files[SSG
         fprintf(f, "%s\"%s\": \"%s\"", between, endings[k], files[k]);
         between = ", ";
     }
-    fprintf(f, " }, \"size\": \"%s\", \"frame\": %d, \"primitive\": \"%s\", \"vertices\": %d, \"instances\": %d,\n"
+    fprintf(f, " }, \"scale\": \"%s\", \"frame\": %d, \"primitive\": \"%s\", \"vertices\": %d, \"instances\": %d,\n"
                "    \"blend\": ", scales[s->scale], s->frame, primitives[s->primitive], s->vertices, s->instances);
     put_blend(f, s->blend);
     fputs(", \"clear\": ", f);
@@ -328,30 +328,33 @@ static void put_block(FILE *f, const char *name, int block, const char *prefix, 
 
 /* The explanation of the manifest, an entry a line. */
 static const char *const about[] = {
-    "variants: each set of files that belongs together. desc: the fields of ssgi_gl_desc that are not 0, enums by "
-    "their words (fields has them in order from 0); fetch: true: with this manifest's fetch (vulkan: "
-    "fetch_vulkan) as desc.fetch; files by "
-    "stage; rows: a number in row_lists.",
-    "variants' key: what tells a variant from others: its fragment stage's file less the ending.",
-    "chains: what methods draw, by the names of build/render, once a dialect. chain: the ssgi_gl_chain, what is not 0. "
-    "textures: what its steps write, by their numbers: format: a number in formats; scale: FULL, HALF (rounded up), "
-    "LEVELS (ssgi_splat_size of what desc.gather.resolution leaves: width, height of a level times levels), TILES (an eighth, "
-    "rounded up), QUARTER (rounded up); layers: 0: 2D, else an array of so many layers; "
-    "kept: 1: two of it, which change places each frame; clear them to 0 when they are made. steps, in order: files; "
-    "rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: 0: as many as you have; blend: null: off, "
-    "else equation, source, destination; clear: null, or what the targets are cleared to first. inputs: yours: the "
-    "meaning, SSGI_GL_YOUR_ without the prefix, else the number of a texture, as the last frame left it where last is "
-    "1; binding, dimension and, where it is not 0, set are Vulkan's and WebGPU's, unit GL's. outputs: "
-    "texture -1: your picture; layer: the one drawn into.",
-    "translated texts lie beside those of dialect vulkan: .spv, .wgsl, .hlsl, .msl behind a file's name. Constants "
-    "with an offset other than 0 in rows are specialisation constants of that id, in WGSL overrides.",
-    "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",
-    "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
-    "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "
-    "value, 0 the least. defaults: what the zeros of a desc of that pass mean (ssgi_gl_resolve).",
+    "variants: sets of files that belong together. desc: the fields of ssgi_gl_desc that are not 0, enums by their "
+    "words (this manifest's desc.fields lists these in order, from 0); fetch: true: desc.shader.fetch is this "
+    "manifest's fetch (vulkan: fetch_vulkan); files: by stage; rows: a number in row_lists.",
+    "key of a variant: identifies it: the file of its fragment stage without the ending.",
+    "chains: the draws of methods, by the names of build/render, one entry a dialect. chain: the members of "
+    "ssgi_gl_chain that are not 0. textures: the targets of its steps, by number. format: a number in formats; "
+    "scale: FULL, HALF (rounded up), QUARTER (rounded up), TILES (an eighth, rounded up), LEVELS (ssgi_splat_size "
+    "of the picture at desc.gather.resolution, with the height times the number of levels); layers: 0: 2D, else an "
+    "array of so many layers; kept: 1: two textures, which are exchanged after each frame; clear them to 0 when "
+    "you make them. steps, in order. files; rows: numbers in rows; frame: ssgi_gl_step.frame; vertices, instances: "
+    "0: as many as you have; blend: null: off, else equation, source, destination; clear: null, or the value that "
+    "clears the targets first. inputs. yours: the meaning, SSGI_GL_YOUR_ without the prefix; without it, texture "
+    "is a number in textures, and last 1 means as the last frame left it; binding, dimension and (if it is not 0) "
+    "set are those of Vulkan and WebGPU, unit is GL's. outputs. texture -1: your picture; layer: the layer that is "
+    "drawn.",
+    "translated shaders: in the same folder as those of dialect vulkan, with .spv, .wgsl, .hlsl or .msl after the "
+    "file's name. Constants in rows with an offset other than 0 are specialisation constants of that id, or "
+    "overrides in WGSL.",
+    "row_lists: lists of numbers in rows. rows: ssgi_gl_io, the inputs and outputs of a program, in the order of "
+    "its source.",
+    "frame, views: ssgi_gl_frame and ssgi_gl_views; the blocks have the same layout (std140); a mat3 has 3 columns "
+    "of 4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine; most is the "
+    "greatest value, 0 the least. defaults: the values that zeros in a desc of that pass stand for "
+    "(ssgi_gl_resolve).",
     "functions: files without a main, for shaders of your own (ssgi_gl_field, _read, _reflection, _sh).",
-    "Python: the field pass is a keyword there: setattr(desc, 'pass', ..), getattr. cffi takes what gcc -E -P "
-    "'-D__attribute__(x)=' makes of ssgi_gl.h.",
+    "Python: the field pass is a keyword there: setattr(desc, 'pass', ..), getattr. cffi takes the "
+    "output of gcc -E -P '-D__attribute__(x)=' ssgi_gl.h.",
     "Rust: bindgen ssgi_gl.h -- --target=x86_64-pc-windows-msvc -ffreestanding gives constants the fields' type, "
     "i32, on any 64-bit machine; without it they are u32."
 };
