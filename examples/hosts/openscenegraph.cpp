@@ -148,8 +148,8 @@ int main(int argc, char **argv)
     viewer.getLight()->setAmbient(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
     osg::Camera *camera = viewer.getCamera();
     camera->setViewMatrixAsLookAt(osg::Vec3d(p[0], p[1], p[2]), osg::Vec3d(p[3], p[4], p[5]), osg::Y_AXIS);
-    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);  /* (3) GL's planes must be the matrix's */
-    camera->setProjectionMatrixAsPerspective(45, double(W) / H, 0.1, 100);      /* own, which ssgi gets: 0.1 and 100 */
+    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);  /* (3) GL's planes must equal */
+    camera->setProjectionMatrixAsPerspective(45, double(W) / H, 0.1, 100);      /* those that ssgi gets */
     camera->setFinalDrawCallback(after), camera->setClearColor(osg::Vec4(0.7f, 0.78f, 0.85f, 1));
     after->radius = std::strtof(argv[3], nullptr), after->out = argv[4];
     viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
