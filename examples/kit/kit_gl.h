@@ -1,7 +1,7 @@
-/* kit_gl.h - the GL half of the kit: headless contexts, GL functions, textures, the G-buffer. Not part of the library.
+/* kit_gl.h - the part of the kit that calls GL: headless contexts, GL functions, textures, the G-buffer. Not part
+   of the library.
 
-   Rows of textures run bottom-up, as GL has them; rows of kit_image run top-down. One context at a time, on one
-   thread. */
+   Rows of textures run bottom-up, as GL has them, rows of kit_image top-down. One context at a time, on one thread. */
 #ifndef KIT_GL_H
 #define KIT_GL_H
 

@@ -160,7 +160,7 @@ function gltfText(bytes) {
     return new TextDecoder().decode(binary ? bytes.subarray(20, 20 + view.getUint32(12, true)) : bytes);
 }
 
-/* Files that were not dropped are not looked for: their names could otherwise be fetched from the page's server. */
+/* Parses a glTF. Files that were not dropped are refused: their names could otherwise be fetched from the server. */
 async function parseGltf(bytes, beside) {
     const { buffers = [], images = [], extensionsRequired = [], extensionsUsed = [] } = JSON.parse(gltfText(bytes));
     const away = [...buffers, ...images].map(({ uri }) => uri)

@@ -21,7 +21,7 @@ const settled = 32;                                 /* frames of a still view af
 const kept = 31;                                    /* number of a pass's last times whose median is shown */
 
 let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
-let own, gpu = null;                         /* own: { drawer, show } of WebGL 2; gpu: the same of WebGPU if it draws */
+let own, gpu = null;                         /* own: { drawer, show } of WebGL 2; gpu: those of WebGPU, if it draws */
 let sides = [null, null];                           /* left and right: { run, key, frame number, .. } */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
 let calm = null;                                    /* the view without the subpixel offsets that smooth edges */

@@ -3,7 +3,8 @@
    Every fourth pixel in both ways comes first, then every second, then all: a picture is there after a sixteenth of the
    rays, and an error of these pixels is one of the whole picture. What was traced stays until the finer is as good. */
 
-const steps = [4, 2, 1], enough = 16, good = 8;     /* pixels apart; rays a pixel: that end a step, that show it */
+/* steps: every 4th, 2nd, then each pixel of a row is traced; enough, good: rays that end a step, that show it */
+const steps = [4, 2, 1], enough = 16, good = 8;
 const smoothed = 64;                                /* with fewer rays a pixel the image is smoothed */
 
 /* Returns the image's pixel column (or row) of the traced column (or row) i. */

@@ -25,7 +25,7 @@ static void white_of(const kit_ambient *a, const kit_mesh *mesh, const kit_place
             sum[k] += sent[k] * (1 - taken);
             sent[k] *= taken * (double)albedos[k];
         }
-        if (!(sent[ALBEDOS - 1] > 1e-4)) return;        /* the last albedo is the greatest */
+        if (!(sent[ALBEDOS - 1] > 1e-4)) return;   /* the last albedo is the greatest, so that nothing is left of any */
         kit_place_of(mesh, &hit, d, &next);
         from = next;
         kit_ambient_point(a, seed & a->mask, kit_mix(seed + i), u);
