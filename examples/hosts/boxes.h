@@ -9,8 +9,8 @@ enum { BOXES_PICTURE, BOXES_AMBIENT, BOXES_NORMAL, BOXES_DEPTH, BOXES_TEXTURES }
 
 static GLuint boxes_texture[BOXES_TEXTURES], boxes_framebuffer, boxes_scene, boxes_shown;
 
-/* Column-major: a vertical angle of 45 degrees, near and far planes at 0.1 and 100. boxes_resize sets the first
-   number. */
+/* column-major, with a vertical angle of 45 degrees, near and far planes at 0.1 and 100; boxes_resize sets the first
+   number, by the aspect */
 static float boxes_projection[16] = { 0, 0, 0, 0, 0, 2.41421356f, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 };
 
 /* Box 0 is the slab. All boxes turn about y and are seen from (0, 6, 8); the sun is above the viewer's left
@@ -42,7 +42,7 @@ static const char boxes_fragment[] =
     "  view_normal = vec4(normal * 0.5 + 0.5, 0);\n"
     "}\n";
 
-/* Draws the picture, encoded as sRGB. */
+/* shaders that show the image, encoded as sRGB */
 static const char boxes_show_vertex[] =
     "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0, 1); }\n";
 static const char boxes_show_fragment[] =
@@ -73,7 +73,7 @@ static void boxes_open(const char *version)
 {
     GLuint vertices;
     glGenVertexArrays(1, &vertices);
-    glBindVertexArray(vertices); /* without attributes: vertices come from gl_VertexID */
+    glBindVertexArray(vertices); /* a vertex array without attributes: vertices come from gl_VertexID */
     glGenTextures(BOXES_TEXTURES, boxes_texture);
     glGenFramebuffers(1, &boxes_framebuffer);
     boxes_scene = boxes_program(version, boxes_vertex, boxes_fragment);
@@ -124,7 +124,7 @@ static void boxes_show(int w, int h)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/* Writes the shown picture as a PPM. Returns 0, or 1 after it has printed why not. */
+/* Writes the shown image as a PPM. Returns 0, or 1 after it has printed the reason. */
 static int boxes_save(const char *path, int w, int h)
 {
     unsigned char *pixels = malloc(4 * (size_t)w * (size_t)h);

@@ -7,7 +7,7 @@ export const boxes = Array.from({ length: 25 }, (_, i) => {
         : { at: [0, -0.1, 0], half: [4.5, 0.1, 4.5] };
 });
 
-/* A scene of three.js and its camera; plain: a white background; white: white boxes, too. */
+/* Returns a scene of three.js and its camera. plain: with a white background; white: with white boxes, too. */
 export function sceneOf(THREE, { plain, white }) {
     const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(45, 1, 0.1, 100);
     const material = new THREE.MeshLambertMaterial({ color: white ? 0xffffff : 0xe5cca6 });

@@ -18,7 +18,7 @@ enum { WIDTH = 960, HEIGHT = 540 };
 
 static const char version[] = "#version 330 core\n";
 
-/* ---- the engine's shaders: boxes.h's, lit in one pass, and a sheet of glass or board */
+/* ---- the engine's shaders: for the boxes, lit in one pass, and for a sheet of glass or board */
 static const char sheet_vertex[] =
     "uniform mat4 projection; uniform vec3 corner[3]; flat out vec3 normal;\n"
     "void main() {\n"
@@ -31,7 +31,7 @@ static const char lit[] =
     "void main() {\n"
     "  float depth = ssgi_fragment_depth(gl_FragCoord.xy, gl_FragCoord.z);\n"
     "  float visibility = ssgi_visibility_at(gl_FragCoord.xy, depth, normal);\n"
-    "  vec3 light = vec3(sky * visibility);\n" /* It only dims ambient light. */
+    "  vec3 light = vec3(sky * visibility);\n" /* Visibility only dims the ambient light. */
     "  light += sun * vec3(1, 0.85, 0.65) * max(dot(normal, vec3(-0.6, 0.64, 0.48)), 0.0);\n"
     "  picture = vec4(mix(vec3(sky), colour.rgb * light, exp2(-fog * depth)), colour.a);\n"
     "}\n";
@@ -43,7 +43,7 @@ static ssgi_gl_step step[MOST];
 static int steps;
 static GLuint gather[MOST], framebuffer[MOST], texture[MOST], block;
 
-/* Gets the steps without the filter and makes their textures; writes the functions that read the result. */
+/* Gets the steps without the filter and makes their textures; writes functions that read the result. NULL: no error. */
 static const char *occlusion(char *functions, size_t size, int width, int height)
 {
     static char text[2][32768];
@@ -60,7 +60,7 @@ static const char *occlusion(char *functions, size_t size, int width, int height
         glTexImage2D(GL_TEXTURE_2D, 0, (GLint)to->format->internal, step[i].width, step[i].height, 0,
                      to->format->format, to->format->type, NULL);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* or integer textures read 0 */
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST); /* linear filters read integers as 0 */
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[to->texture], 0);
         for (int k = 0; k < 2; ++k) ssgi_gl_emit(text[k], sizeof text[k], &step[i].desc, k);
@@ -72,7 +72,7 @@ static const char *occlusion(char *functions, size_t size, int width, int height
     return ssgi_gl_read(functions, size, &step[steps - 1].desc) < size ? NULL : "the functions need more room";
 }
 
-/* Draws the occlusion; called every frame after the first pass. */
+/* Draws the occlusion; call it every frame after the first pass. Returns an error message or NULL. */
 static const char *occlude(const float projection[16], float radius, int width, int height)
 {
     ssgi_view view;
@@ -120,7 +120,7 @@ static void draw_sheet(GLuint program, const float corner[9])
 
 int main(int argc, char **argv)
 {
-    /* The pane stands on the slab in front of some boxes, in view space. */
+    /* in view space: the pane stands on the slab in front of some boxes */
     static const float pane[9] = { -2, -2.1f, -7, 2, -2.1f, -7, -2, 0.3f, -5.2f },
                        sign[9] = { 0.05f, -0.08f, -0.2f, 0.1f, -0.08f, -0.2f, 0.05f, -0.04f, -0.2f };
     static char functions[32768];
@@ -152,7 +152,7 @@ int main(int argc, char **argv)
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, boxes_texture[BOXES_PICTURE], 0);
     for (; !glfwWindowShouldClose(window); glfwSwapBuffers(window), glfwPollEvents()) {
         const float angle = file ? 0.0f : 0.3f * (float)glfwGetTime();
-        boxes_draw(angle, sun, sky, WIDTH, HEIGHT); /* depth and normals of all occluders */
+        boxes_draw(angle, sun, sky, WIDTH, HEIGHT); /* draws depth and normals of all occluders */
         if ((why = occlude(boxes_projection, 1, WIDTH, HEIGHT))) return fprintf(stderr, "forward: %s\n", why), 1;
         glActiveTexture(GL_TEXTURE9), glBindTexture(GL_TEXTURE_2D, texture[step[steps - 1].output[0].texture]);
         glBindFramebuffer(GL_FRAMEBUFFER, samples), glViewport(0, 0, WIDTH, HEIGHT), glEnable(GL_DEPTH_TEST);

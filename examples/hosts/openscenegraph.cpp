@@ -56,7 +56,7 @@ struct Occlusion {
         glGenBuffers(1, &block);
         glGenTextures(STEPS, texture);
         for (int i = 0; i < steps; ++i) {
-            const ssgi_gl_output &to = step[i].output[0];       /* one each; the last step's is the picture */
+            const ssgi_gl_output &to = step[i].output[0];       /* one output each; the last step's is the image */
             for (int s = 0; s < 2; ++s) ssgi_gl_emit(text[s], sizeof text[s], &step[i].desc, s);
             glUseProgram(program[i] = program_of(text[SSGI_GL_STAGE_VERTEX], text[SSGI_GL_STAGE_FRAGMENT]));
             for (int k = 0; k < step[i].inputs; ++k)
@@ -67,7 +67,7 @@ struct Occlusion {
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), step[i].width, step[i].height, 0,
                          to.format->format, to.format->type, nullptr);
             for (GLenum filter : { GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER })
-                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* else integer textures read 0 */
+                glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);     /* otherwise integer textures read 0 */
             glGenFramebuffers(1, &framebuffer[i]);
             glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[i]);
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[to.texture], 0);
@@ -100,7 +100,7 @@ struct Occlusion {
 };
 /* ================================================================================================================== */
 
-struct After : osg::Camera::DrawCallback {  /* after the engine has drawn its picture */
+struct After : osg::Camera::DrawCallback {  /* called after the engine has drawn its image */
     mutable Occlusion occlusion;
     mutable GLuint depth = 0;
     float radius = 1;
@@ -124,12 +124,12 @@ struct After : osg::Camera::DrawCallback {  /* after the engine has drawn its pi
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         occlusion.draw(depth, projection.ptr(), radius);
         save("-after.png");
-        glClearColor(1, 1, 1, 1);           /* again onto white: the occlusion alone */
+        glClearColor(1, 1, 1, 1);           /* draws once more onto white, to see the occlusion alone */
         glClear(GL_COLOR_BUFFER_BIT);
         occlusion.draw(depth, projection.ptr(), radius);
         save("-ao.png");
         glUseProgram(0);
-        glPopAttrib();                      /* (1) the engine caches GL's state: restore it, and tell it so */
+        glPopAttrib();                      /* (1) OpenSceneGraph caches GL's state: restore it, then tell it so */
         info.getState()->dirtyAllModes();
         info.getState()->dirtyAllAttributes();
     }
@@ -142,14 +142,14 @@ int main(int argc, char **argv)
         return std::puts("usage: openscenegraph MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT"), 2;
     osgViewer::Viewer viewer;
     osg::ref_ptr<After> after = new After;
-    viewer.setSceneData(osgDB::readNodeFile(argv[1], new osgDB::Options("noRotation")));  /* (2) else y up is turned */
+    viewer.setSceneData(osgDB::readNodeFile(argv[1], new osgDB::Options("noRotation")));  /* (2) else it turns y up */
     if (!viewer.getSceneData()) return std::printf("openscenegraph: %s: cannot be read\n", argv[1]), 2;
     viewer.setUpViewInWindow(0, 0, W, H);
     viewer.getLight()->setAmbient(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
     osg::Camera *camera = viewer.getCamera();
     camera->setViewMatrixAsLookAt(osg::Vec3d(p[0], p[1], p[2]), osg::Vec3d(p[3], p[4], p[5]), osg::Y_AXIS);
-    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);  /* (3) else GL's planes differ from */
-    camera->setProjectionMatrixAsPerspective(45, double(W) / H, 0.1, 100);      /* those of getProjectionMatrix */
+    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);  /* (3) GL's planes must equal */
+    camera->setProjectionMatrixAsPerspective(45, double(W) / H, 0.1, 100);      /* those that ssgi gets */
     camera->setFinalDrawCallback(after), camera->setClearColor(osg::Vec4(0.7f, 0.78f, 0.85f, 1));
     after->radius = std::strtof(argv[3], nullptr), after->out = argv[4];
     viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);

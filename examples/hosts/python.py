@@ -26,7 +26,7 @@ scene = gl.program(fragment_shader='#version 330\nvoid main() {}', vertex_shader
     uniform mat4 projection; in vec3 p;
     const mat3 view = mat3(1, 0, 0, 0, 0.8, 0.6, 0, -0.6, 0.8);
     void main() { gl_Position = projection * vec4(view * p - vec3(0, 0, 10), 1); }''')
-f = 2.41421356  # a vertical angle of 45 degrees, near and far planes at 0.1 and 100; column-major
+f = 2.41421356  # vertical angle of 45 degrees, near and far planes at 0.1 and 100; column-major
 projection = f * HEIGHT / WIDTH, 0, 0, 0, 0, f, 0, 0, 0, 0, -1.002002, -1, 0, 0, -0.2002002, 0
 scene['projection'].value = projection
 depth = gl.depth_texture((WIDTH, HEIGHT))

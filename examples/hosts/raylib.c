@@ -15,7 +15,7 @@
 #define SSGI_GL_IMPLEMENTATION
 #include "../../ssgi_gl.h"
 
-/* (2) LoadRenderTexture makes depth a renderbuffer, which shaders cannot read; this makes it a texture. */
+/* (2) Makes a target whose depth is a texture: LoadRenderTexture makes it a renderbuffer, which shaders cannot read. */
 static RenderTexture2D load_target(int width, int height)
 {
     RenderTexture2D target = { .id = rlLoadFramebuffer() };
@@ -50,7 +50,7 @@ static const char *resize(GLuint picture, int width, int height)
         glGenTextures(MOST, texture), glGenFramebuffers(MOST, framebuffer);
     }
     for (int i = 0; i < steps; ++i) {
-        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one each; texture -1: the picture */
+        const ssgi_gl_output *to = step[i].output; /* hsao's steps have one output each; texture -1: the image */
         const GLuint into = to->texture < 0 ? picture : texture[to->texture];
         glBindTexture(GL_TEXTURE_2D, into);
         if (to->texture >= 0) {
@@ -86,7 +86,7 @@ static const char *occlude(GLuint depth, Matrix projection, float radius, int wi
     glBindVertexArray(array);
     glDisable(GL_DEPTH_TEST), glDisable(GL_CULL_FACE), glDisable(GL_BLEND);
     for (const ssgi_gl_step *s = step; s < step + steps; ++s) {
-        for (const ssgi_gl_input *in = s->input; in < s->input + s->inputs; ++in) { /* only depth is raylib's */
+        for (const ssgi_gl_input *in = s->input; in < s->input + s->inputs; ++in) { /* raylib gives only depth */
             glActiveTexture(GL_TEXTURE0 + (GLenum)in->unit);
             glBindTexture(in->target, in->texture < 0 ? depth : texture[in->texture]);
         }
@@ -94,7 +94,7 @@ static const char *occlude(GLuint depth, Matrix projection, float radius, int wi
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer[s - step]), glViewport(0, 0, s->width, s->height);
         glUseProgram(program[s - step]), glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances);
     }
-    /* (4) rlgl caches GL's state, so it must be restored */
+    /* (4) rlgl caches GL's state, so GL's is restored */
     glBindVertexArray(0), glUseProgram(0), glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glActiveTexture(GL_TEXTURE0), glEnable(GL_BLEND), glEnable(GL_CULL_FACE);
     glBlendEquation(GL_FUNC_ADD), glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

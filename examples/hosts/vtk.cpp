@@ -36,7 +36,7 @@ static void save(vtkRenderWindow *window, const std::string &path)
     file->Write();
 }
 
-/* Milliseconds of a frame: the median of nine frames. */
+/* Returns the milliseconds of a frame: the median of nine frames. */
 static double timed(vtkRenderWindow *window)
 {
     std::vector<double> ms;
@@ -85,7 +85,7 @@ int main(int argc, char **argv)
     ssgi->SetDelegatePass(steps);
     ssgi->SetRadius(radius);
     renderer->SetPass(ssgi);
-    /* First at another size, so that the pass makes its textures twice. */
+    /* draws first at another size, so that the pass makes its textures twice */
     window->SetSize(800, 450);
     window->Render();
     window->SetSize(960, 540);
@@ -104,7 +104,7 @@ int main(int argc, char **argv)
     save(window, out + "-own.png");
     std::printf("%.0f ms a frame; hsao-fast %.0f, hsao %.0f, vtkSSAOPass %.0f\n", plain, fast, ours, theirs);
 
-    /* A translucent pane, drawn after occlusion in front of everything: half green over the picture. */
+    /* adds a translucent pane in front of everything, drawn after occlusion: half green over the image */
     vtkNew<vtkPlaneSource> plane;
     vtkNew<vtkOpaquePass> opaque;
     plane->SetOrigin(-1.5, 0.5, 3), plane->SetPoint1(1.5, 0.5, 3), plane->SetPoint2(-1.5, 3.5, 3);

@@ -47,7 +47,7 @@ public:
     }
     vtkGetMacro(Radius, double);
     vtkSetMacro(Radius, double);
-    vtkGetMacro(Strength, double);      /* 1: the computed visibility; more exaggerates it */
+    vtkGetMacro(Strength, double);      /* factor of 1 - visibility; above 1 it exaggerates the occlusion */
     vtkSetMacro(Strength, double);
     vtkGetMacro(Preset, int);
     void SetPreset(int preset)          /* SSGI_GL_PRESET_FAST, _BALANCED, _BEST */
@@ -116,7 +116,7 @@ private:
     vtkNew<vtkTextureObject> Colour, Depth;
     vtkNew<vtkOpenGLFramebufferObject> Drawn;
 
-    /* The delegate draws over the present picture, unless it clears it: a vtkOpaquePass does not. */
+    /* Draws the delegate's image over the present one, unless the delegate clears it; a vtkOpaquePass does not. */
     void RenderDelegate(const vtkRenderState *s, vtkOpenGLState *state, GLuint into, int x, int y, int width,
                         int height)
     {
@@ -160,7 +160,7 @@ private:
     {
         Drawn->SetContext(window);
         if (width == Width && height == Height) return;
-        /* A framebuffer object keeps its attachments, the old textures' names, unless it is made anew. */
+        /* a framebuffer object keeps the old textures' names as its attachments, unless it is made anew */
         Drawn->ReleaseGraphicsResources(window);
         Drawn->SetContext(window);
         for (vtkTextureObject *one : { Colour.Get(), Depth.Get() }) {
@@ -205,11 +205,11 @@ private:
             for (int i = 0; i < 3; ++i) glUniform1i(glGetUniformLocation(Combined, names[i]), i);
         }
         for (int i = 0; i < Steps; ++i) {
-            const ssgi_gl_output &to = Step[i].output[0];       /* hsao's steps have one each */
+            const ssgi_gl_output &to = Step[i].output[0];       /* a step of hsao has one output */
             glBindTexture(GL_TEXTURE_2D, Texture[to.texture]);
             glTexImage2D(GL_TEXTURE_2D, 0, GLint(to.format->internal), Step[i].width, Step[i].height, 0,
                          to.format->format, to.format->type, nullptr);
-            if (Compiled) continue;                             /* programs do not depend on the size */
+            if (Compiled) continue;                           /* programs do not depend on the size, so they are kept */
             for (int k = 0; k < 2; ++k) {
                 const size_t length = ssgi_gl_emit(nullptr, 0, &Step[i].desc, k);
                 text[k].resize(length + 1);
@@ -261,7 +261,7 @@ private:
     }
     /* ============================================================================================================== */
 
-    /* (3) VTK sets a vtkTextureObject's filters when it binds it; bound by GL, they are set here. */
+    /* Binds a texture for reading. (3) VTK sets a vtkTextureObject's filters when it binds it; here GL binds it. */
     static void Bind(vtkOpenGLState *state, GLuint unit, GLuint texture)
     {
         state->vtkglActiveTexture(GL_TEXTURE0 + unit);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* OpenEXR's first error message; later ones are consequences of it. It is thread-local, because OpenEXR holds a lock
-   while it reports an error, and a query of the context may wait for that lock. */
+   while it reports an error, and a query of the EXR context may wait for that lock. */
 static _Thread_local char exr_complaint[256];
 
 static void exr_complain(exr_const_context_t context, exr_result_t code, const char *message)
@@ -32,7 +32,7 @@ static int exr_fail(kit_error *err, const char *path, exr_result_t result)
 
 enum { EXR_PARTS = 64 };
 
-/* The parts that are read: the flat parts of the first view; and a window that holds all of theirs. */
+/* The parts of an EXR that are read: the flat parts of the first view; and a window that holds all of theirs. */
 typedef struct exr_parts {
     int              count, index[EXR_PARTS];
     exr_attr_box2i_t window;
@@ -67,8 +67,8 @@ static exr_result_t exr_find_parts(exr_parts *p, exr_const_context_t context)
     return result;
 }
 
-/* Reads one chunk (some scanlines or a tile) straight into the planar picture, from the part's first channel on;
-   origin: the part's top-left pixel in the picture. */
+/* Reads one chunk (some scanlines or a tile) straight into the planar image, from the part's first channel on; origin:
+   the part's top-left pixel in the image. */
 static exr_result_t exr_read_chunk_into(exr_const_context_t context, int part, exr_decode_pipeline_t *decode,
                                         const exr_chunk_info_t *chunk, int x, int y, kit_image *image)
 {
@@ -91,7 +91,7 @@ static exr_result_t exr_read_chunk_into(exr_const_context_t context, int part, e
     return result == EXR_ERR_SUCCESS ? exr_decoding_run(context, part, decode) : result;
 }
 
-/* all: the picture's window, which contains the part's. */
+/* Reads a part's pixels. all: the image's window, which contains the part's. */
 static exr_result_t exr_read_pixels(exr_const_context_t context, int part, const exr_attr_box2i_t *all,
                                     kit_image *image)
 {
@@ -119,7 +119,7 @@ static exr_result_t exr_read_pixels(exr_const_context_t context, int part, const
     return result;
 }
 
-/* The least size of a file for the pixels that a part's header claims, found before anything is allocated for them
+/* Returns the least size of a file for the pixels that a part's header claims, before memory is allocated for them
    (OpenEXR checks only that the table of chunks fits, its #1161). Each chunk has an entry in the table, and a byte
    holds at most a number of pixel bytes that depends on the compression: deflate (ZIP, ZIPS) makes one of 1032; RLE two
    of 128; PIZ repeats 255 halves in 9 bits; PXR24 deflates three bytes of a float; B44A makes 3 of 32. */
@@ -139,15 +139,15 @@ static double exr_least_size(exr_const_context_t context, int part)
         || exr_get_chunk_count(context, part, &chunks) != EXR_ERR_SUCCESS
         || exr_get_channels(context, part, &list) != EXR_ERR_SUCCESS
         || exr_get_data_window(context, part, &window) != EXR_ERR_SUCCESS) return INFINITY;
-    if ((size_t)compression >= sizeof most / sizeof *most) return 0;           /* OpenEXR reports it as unknown */
+    if ((size_t)compression >= sizeof most / sizeof *most) return 0;          /* OpenEXR reports unknown compressions */
     for (int c = 0; c < list->num_channels; ++c)
         bytes += (list->entries[c].pixel_type == EXR_PIXEL_HALF ? 2 : 4) * ((double)window.max.x - window.min.x + 1)
                * ((double)window.max.y - window.min.y + 1);
     return bytes / most[compression] + 8.0 * chunks;
 }
 
-/* Appends the names of a part's channels. A name that earlier parts have becomes PART.NAME: some renderers write parts
-   such as "albedo" with R, G and B. */
+/* Adds the names of a part's channels to names. A name that earlier parts have becomes PART.NAME: some renderers write
+   parts such as "albedo" with R, G and B. */
 static int exr_name_channels(kit_image *names, exr_const_context_t context, int part, const char *path, kit_error *err)
 {
     const exr_attr_chlist_t *list = NULL;
@@ -213,7 +213,7 @@ static int exr_read_parts(kit_image *out, const char *path, exr_const_context_t 
              : exr_fail(err, path, result);
 }
 
-/* A file whose header has been read. */
+/* An EXR file whose header has been read. */
 typedef struct exr_reader { size_t size; exr_context_t context; } exr_reader;
 
 static void exr_close(exr_reader *r)
@@ -221,11 +221,11 @@ static void exr_close(exr_reader *r)
     if (r->context) exr_finish(&r->context);
 }
 
-/* The caller must call exr_close(), also after a failure. */
+/* Opens an EXR and reads its header. The caller must call exr_close(), also after a failure. */
 static int exr_open(exr_reader *r, const char *path, kit_error *err)
 {
     memset(r, 0, sizeof *r);
-    FILE *const file = kit_file_open(&r->size, path, err);     /* no folder or pipe: OpenEXR would block */
+    FILE *const file = kit_file_open(&r->size, path, err);     /* refuses folders and pipes: OpenEXR would block */
     if (!file) return -1;
     fclose(file);
     exr_context_initializer_t start = exr_initializer();
@@ -248,7 +248,7 @@ static const char MATRIX[] = "worldToCamera", FAR_MATRIX[] = "ssgi.worldToCamera
                   WIDTH[] = "screenWindowWidth", CENTRE[] = "screenWindowCenter",
                   ORTHO_HEIGHT[] = "ssgi.orthoHeight", RADIUS[] = "ssgi.radius";
 
-/* Finds an attribute. 1: found, 0: missing, -1: it has another type. */
+/* Finds an attribute of the header. Returns 1: found, 0: missing, -1: it has another type. */
 static int exr_find(const exr_attribute_t **found, const exr_reader *r, const char *name, exr_attribute_type_t type,
                     const char *path, kit_error *err)
 {
@@ -256,7 +256,7 @@ static int exr_find(const exr_attribute_t **found, const exr_reader *r, const ch
     return (*found)->type == type ? 1 : kit_fail(err, "%s: %s: is of type %s", path, name, (*found)->type_name);
 }
 
-/* Reads an attribute that must be in [least, most]. Returns as exr_find. */
+/* Reads a number of the header, which must be in [least, most]. Returns as exr_find does. */
 static int exr_number(float *out, const exr_reader *r, const char *name, double least, double most, const char *path,
                       kit_error *err)
 {
@@ -269,7 +269,7 @@ static int exr_number(float *out, const exr_reader *r, const char *name, double 
     return 1;
 }
 
-/* Whether m is a rotation and a translation. Its columns are the rotation's rows, because m is for row vectors. */
+/* Returns whether m is a rotation and a translation. m is for row vectors: its columns are the rotation's rows. */
 static int exr_rigid(const float m[16])
 {
     double row[3][3], across[3];
@@ -281,7 +281,7 @@ static int exr_rigid(const float m[16])
     for (int i = 0; i < 4; ++i)
         if (!(fabs((double)m[4 * i + 3] - (i == 3)) < 1e-6)) return 0;
     kit_cross(row[0], row[1], across);
-    return kit_dot(across, row[2]) < 0;            /* right-handed world, left-handed camera */
+    return kit_dot(across, row[2]) < 0;            /* the world is right-handed, the file's camera left-handed */
 }
 
 /* Makes the eye the origin. The eye is found by solving a system: the rotation is rounded to floats, so its transpose
@@ -297,7 +297,7 @@ static void exr_place_at_eye(kit_header *h, const double place[3])
     }
 }
 
-/* Reads worldToCamera. 1: found, 0: missing, -1: an error. */
+/* Reads worldToCamera. Returns 1: found, 0: missing, -1: an error. */
 static int exr_place(kit_header *h, const exr_reader *r, const char *path, kit_error *err)
 {
     const exr_attribute_t *found;
@@ -370,7 +370,7 @@ int kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *
         failed = is < 0;
         h.has |= is > 0 ? KIT_HEADER_PLACE : 0;
     }
-    /* every EXR has a screen window: it counts only with a matrix or a height */
+    /* every EXR has a screen window: it counts only together with a matrix or a height */
     if (!failed && wanted & KIT_HEADER_WINDOW
         && (exr_get_attribute_by_name(r.context, 0, MATRIX, &none) == EXR_ERR_SUCCESS
             || exr_get_attribute_by_name(r.context, 0, ORTHO_HEIGHT, &none) == EXR_ERR_SUCCESS))
@@ -442,8 +442,8 @@ static int64_t exr_memory_write(exr_const_context_t context, void *user, const v
 
 typedef struct exr_packer { exr_result_t (*compress)(exr_encode_pipeline_t *encode); } exr_packer;
 
-/* A chunk with as many bytes as its pixels is read as uncompressed, so it must be. But OpenEXR writes zlib's output
-   even if it has exactly that size (its #2306). */
+/* Compresses a chunk. One with as many bytes as its pixels is read as uncompressed, so it must be. But OpenEXR writes
+   zlib's output even if it has exactly that size (its #2306). */
 static exr_result_t exr_compress(exr_encode_pipeline_t *encode)
 {
     const exr_packer *packer = encode->encoding_user_data;

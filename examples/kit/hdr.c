@@ -26,7 +26,7 @@ static int hdr_ended(void *user) { return ((hdr_source *)user)->ended; }
 
 static const stbi_io_callbacks hdr_calls = { hdr_more, hdr_skip, hdr_ended };
 
-/* The least number of bytes of a row: a run has at most 127 values, in two bytes. */
+/* Returns the least number of bytes of a row: a run has at most 127 values, in two bytes. */
 static double hdr_fewest(int width)
 {
     const int coded = width >= 8 && width < 32768;

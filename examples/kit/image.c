@@ -1,5 +1,5 @@
-/* image.c - float pictures: makes them and finds their channels. exr.c, hdr.c and png.c read and write them, score.c
-   compares them. */
+/* image.c - makes float images and finds their channels. exr.c, hdr.c and png.c read and write them, score.c compares
+   them. */
 #include "kit/kit_image.h"
 #include <stdlib.h>
 #include <string.h>

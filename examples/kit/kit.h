@@ -39,7 +39,7 @@
 #include <stdio.h>
 
 #define KIT_PI 3.14159265358979323846
-#define KIT_MOST 1e12                      /* the largest number that a user may give: its square still fits a float */
+#define KIT_MOST 1e12                      /* the largest number that a user may give; its square still fits a float */
 
 /* ---- >>util ------------------------------------------------------------------------------------------------- */
 
@@ -48,38 +48,38 @@ typedef struct kit_error { char text[1024]; } kit_error;
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line unless err is NULL, returns -1 */
-/* Opens a regular file that is not empty and gives its size, for callers that check its start before they read the
-   rest. NULL if it cannot be opened. The caller calls fclose(). */
+int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line unless err is NULL; always returns -1 */
+/* Opens a regular file that is not empty and writes its size, for callers that check the file's start before they read
+   the rest. Returns NULL if it cannot be opened. The caller calls fclose(). */
 FILE  *kit_file_open(size_t *size, const char *path, kit_error *err);
-/* Reads such a file whole and puts a 0 byte after it. The caller calls free(data). */
+/* Reads a file that kit_file_open takes whole and puts a 0 byte after its content. The caller calls free(data). */
 int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);
 /* Writes the whole file or nothing: it writes a temporary file in the same folder and renames it. Signals other than
    SIGKILL are held back until that is done (other threads must have them blocked). A file that exists keeps its mode
    and, if the system allows it, its owner. */
 int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);
-/* Writes a string with its quotes; bytes that are not UTF-8 become U+FFFD. Writes a number with `decimals` decimals, or
-   with -decimals significant digits if that is below 0, or null if it is not finite. */
+/* kit_json_string writes a string with its quotes; bytes that are not UTF-8 become U+FFFD. kit_json_number writes
+   `decimals` decimals, or -decimals significant digits if that is below 0; null if v is not finite. */
 void   kit_json_string(FILE *out, const char *text);
 void   kit_json_number(FILE *out, double v, int decimals);
 /* Prints the words of a text, the first at `column`, in lines of at most `most` characters. Later lines begin at
    `indent`. */
 void   kit_print_words(const char *text, int column, int indent, int most);
-/* A program's help: the text after "usage: ", then entries up to one without a text. An entry without a name is a
-   paragraph. Prints it if --help or -h is the only argument, or the version if --version is; 1: it printed. */
+/* An entry of a program's help, after the usage; the last has no text, and one without a name is a paragraph. kit_help
+   prints them if --help or -h is the only argument, or the version for --version, and then returns 1. */
 typedef struct kit_help_entry { const char *name, *text; } kit_help_entry;
 int    kit_help(int argc, char **argv, const char *usage, const kit_help_entry *entry);
-/* Called at a program's start and end. open: gives closed standard streams /dev/null, so that no file takes their
-   place, and turns the signal for a file above the size limit into an error. close: -1 if printed text was lost. */
+/* Called at a program's start and end. open connects closed standard streams to /dev/null, so that no file takes their
+   place, and makes the signal for a file above the size limit an error. close returns -1 if printed text was lost. */
 void   kit_streams_open(void);
 int    kit_streams_close(kit_error *err);
 double kit_seconds(void);                                   /* monotonic clock */
 double kit_median(double *v, int count);                    /* sorts v; count > 0 */
-float  kit_middle(float *v, size_t count);                  /* likewise; of two middle values the upper one */
+float  kit_middle(float *v, size_t count); /* also reorders v; returns the median, of two middle values the upper one */
 double kit_dot(const double a[3], const double b[3]);
 void   kit_cross(const double a[3], const double b[3], double out[3]);      /* out must be neither a nor b */
-int    kit_unit(double v[3]);                               /* 0 if v has no direction; v is then left as it is */
-/* FNV-1a of size bytes, continued from h; the first call passes KIT_HASH. */
+int    kit_unit(double v[3]);                   /* makes v a unit vector; 0: it has no direction and is left as it is */
+/* Computes the FNV-1a hash of size bytes, continued from h; the first call passes KIT_HASH. */
 #define KIT_HASH UINT64_C(14695981039346656037)
 uint64_t kit_hash(uint64_t h, const void *data, size_t size);
 
@@ -100,17 +100,17 @@ typedef struct kit_image {
     float *data;                           /* channel c, row y, column x: data[((size_t)c * height + y) * width + x] */
 } kit_image;
 
-/* names: for example "Z,N.X,N.Y,N.Z". All pixels are 0. */
+/* Makes an image with channels of these names, for example "Z,N.X,N.Y,N.Z". All pixels are 0. */
 int    kit_image_new(kit_image *image, int width, int height, const char *names, kit_error *err);
-void   kit_image_free(kit_image *image);                                 /* leaves it all zero; may be called again */
-float *kit_image_channel(const kit_image *image, const char *name);      /* NULL if there is no such channel */
+void   kit_image_free(kit_image *image);         /* frees the pixels and sets the struct to zero; may be called again */
+float *kit_image_channel(const kit_image *image, const char *name);      /* returns NULL if there is no such channel */
 
-/* EXR by OpenEXR's C core. Every channel (half, float, uint; any order; scanlines or tiles) is read as float; look
-   channels up by name. Refused are deep and subsampled files and those that the C core cannot decompress (DWAA, DWAB in
-   3.1). Of a file with several parts, the flat ones of the first view are read, on a window that holds all of theirs; a
-   channel whose name an earlier part has is called PART.NAME. A header that claims more than the file's bytes can hold
-   is refused before memory is allocated. Files are written as 32-bit float, ZIP, to a temporary name in the same
-   folder, then renamed: never half-written. */
+/* Reads and writes EXR by OpenEXR's C core. Every channel (half, float, uint; any order; scanlines or tiles) is read as
+   float; look channels up by name. Refused are deep and subsampled files and those that the C core cannot decompress
+   (DWAA, DWAB in 3.1). Of a file with several parts, the flat ones of the first view are read, on a window that holds
+   all of theirs; a channel whose name an earlier part has is called PART.NAME. A header that claims more than the
+   file's bytes can hold is refused before memory is allocated. Files are written as 32-bit float, ZIP, to a temporary
+   name in the same folder, then renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
 
@@ -135,31 +135,31 @@ typedef struct kit_header {
     float world_to_camera[16];             /* relative to origin */
     double origin[3];                      /* a mesh's, or the eye */
     int   orthographic;
-    float height, centre[2];               /* of the picture: at distance 1; in world units if orthographic */
+    float height, centre[2];               /* of the screen window: at distance 1; in world units if orthographic */
     float radius;
 } kit_header;
 int    kit_exr_header(kit_header *header, int wanted, const char *path, kit_error *err);
-/* kit_exr_write and the parts of the header that header->has names; header may be NULL */
+/* Writes the image and the parts of the camera header that header->has names; header may be NULL. */
 int    kit_exr_write_frame(const kit_image *image, const kit_header *header, const char *path, kit_error *err);
-/* Radiance .hdr by stb, flat rows or run-length rows (not the old run-length format): channels R, G, B. A header that
-   claims more than the file can hold is refused. */
+/* Reads a Radiance .hdr by stb, flat rows or run-length rows (not the old run-length format), as channels R, G, B. A
+   header that claims more than the file can hold is refused. */
 int    kit_hdr_read(kit_image *image, const char *path, kit_error *err);
 
-/* 8-bit PNG by stb, of 1 channel (grey) or 3 (RGB), in the order of names ("Y" or "R,G,B"); values are clamped to
-   [0,1], NaN is written as 0. srgb: 1 encodes linear values as sRGB, 0 writes them unchanged (ambient visibility,
-   colour maps). Written under a temporary name and renamed, as an EXR. */
+/* Writes an 8-bit PNG by stb, of 1 channel (grey) or 3 (RGB), in the order of names ("Y" or "R,G,B"); values are
+   clamped to [0,1], NaN is written as 0. srgb: 1 encodes linear values as sRGB, 0 writes them unchanged (ambient
+   visibility, colour maps). Written under a temporary name and renamed, as an EXR. */
 int    kit_png_write(const kit_image *image, const char *names, int srgb, const char *path, kit_error *err);
 
-/* mask: width*height floats; a pixel counts if its mask > 0; NULL = all count. All figures are of (a - b). */
+/* All figures are of a - b; p95: of its absolute value. mask: a pixel counts if its number is above 0; NULL: all do. */
 typedef struct kit_score { double rmse, bias, p95, ssim; size_t pixels; } kit_score;
 int kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask,
                       kit_error *err);
-/* The same of count channels together: the root of the mean square, and the means of the other figures. */
+/* Scores `count` channels together: rmse is the root of their mean square, other figures are means over channels. */
 int kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b, const char *const *channels, int count,
                        const float *mask, kit_error *err);
 
-/* The signed difference (a - b) of one channel in a perceptually uniform diverging colour map: near-white at 0, blue
-   where a is darker than b, red where it is brighter, full colour at +-range. out: a new R,G,B picture that is
+/* Draws the signed difference (a - b) of one channel in a perceptually uniform diverging colour map: near-white at 0,
+   blue where a is darker than b, red where it is brighter, full colour at +-range. out: a new R,G,B image that is
    sRGB-encoded already (write it with srgb 0). */
 int kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range,
                          kit_error *err);
@@ -170,13 +170,13 @@ int kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b,
 typedef struct kit_mesh {
     size_t triangles;
     float *position;                       /* 9 a triangle */
-    float *normal;                         /* 9 a triangle, unit; the face normal if the file gives none */
-    float *albedo;                         /* 3 a triangle, linear, [0,1]; 0.8 grey if the file gives none */
-    /* one a triangle: the number of its object, from 1 on; 0 = no object. NULL: the mesh has no objects */
+    float *normal;                       /* 9 floats a triangle, unit vectors; the face's normal if the file has none */
+    float *albedo;                         /* 3 floats a triangle, linear, [0,1]; 0.8 grey if the file has none */
+    /* one number a triangle: that of its object, from 1 on; 0 = no object. NULL: the mesh has no objects */
     uint32_t *object;
     float  lower[3], upper[3];             /* bounds */
-    /* The point in the file's own coordinates that is at 0 here. It is 0, unless the mesh lies more than a hundred of
-       its diagonals from there, at which floats would be too coarse; then it is near the middle of the bounds */
+    /* The point in the file's own coordinates that is the origin of this mesh. It is 0, unless the mesh lies farther
+       from 0 than a hundred of its diagonals, too far for floats; then it is near the middle of the bounds */
     double origin[3];
 } kit_mesh;
 
@@ -185,13 +185,13 @@ typedef struct kit_mesh {
 typedef struct kit_object {
     char   name[64];
     int    shape;                          /* index into the scene's shapes */
-    float  to_world[16];                   /* from the shape's coordinates: rotation, uniform scale, translation */
+    float  to_world[16];       /* from the shape's own coordinates to the world: rotation, uniform scale, translation */
     float  lower[3], upper[3];             /* world bounds */
-    int    casts;                          /* 1 = it occludes other objects; see kit_scene_load */
-    /* its first triangle in the scene's mesh; the others follow in the shape's order, perhaps among other objects' */
+    int    casts;                          /* 1 = it occludes other objects; kit_scene_load decides */
+    /* index of its first triangle in the scene's mesh; the others follow in order, perhaps among other objects' */
     size_t first;
-    float  loaded[16];                     /* if kit_scene_move moves it: to_world as loaded (else all 0) */
-    int    base;                           /* and the lowest object of the stack that it moves with */
+    float  loaded[16];                   /* to_world as it was loaded, if kit_scene_move moves the object; else all 0 */
+    int    base;                  /* index of the lowest object of the stack with which kit_scene_move moves this one */
 } kit_object;
 
 void   kit_mesh_free(kit_mesh *mesh);
@@ -217,29 +217,29 @@ enum { KIT_DEPTH_NORMAL, KIT_DEPTH_REVERSED, KIT_DEPTH_INFINITE /* reversed, far
 enum { KIT_SUN, KIT_POINT };
 typedef struct kit_light {
     int   kind;
-    float at[3];                           /* SUN: unit direction to the light; POINT: its position. World space */
+    float at[3];                    /* SUN: unit vector from the scene to the light; POINT: its position. World space */
     float colour[3];                       /* SUN: irradiance of a surface that faces it; POINT: radiant intensity */
 } kit_light;
 
 enum { KIT_SCENE_LIGHTS = 4 };
 typedef struct kit_scene {
-    const char *name;                      /* built-in name or path */
+    const char *name;                      /* a built-in scene's name, or a path */
     const char *about;                     /* one line */
     char        note[512];                 /* one line: how the model differs from its file, "" = not at all */
     kit_mesh    mesh;
     kit_camera  camera;                    /* a suitable view; width, height 1280 x 720 */
     float       radius;                    /* a suitable radius, world units */
-    const char *env;                       /* scenes by seed: the built-in environment that lights them; else NULL */
+    const char *env;          /* for scenes by seed, the name of the built-in environment that lights them; else NULL */
     int         lights;                    /* further lights */
     kit_light   light[KIT_SCENE_LIGHTS];
     int         objects, shapes;
     kit_object *object;
-    /* meshes in their own coordinates, positions, normals and bounds only. Several objects may share one. An object's
-       triangles in mesh are those of its shape, transformed by to_world */
+    /* meshes in their own coordinates, with positions, normals and bounds only. Several objects may share one. An
+       object's triangles in mesh are those of its shape, transformed by to_world */
     kit_mesh   *shape;
 } kit_scene;
 
-/* name_or_path is one of:
+/* Loads a scene. name_or_path is one of:
      a built-in scene ("room")
      a scene by seed ("random:7", "random:streets:7"), the same on every machine; "random:SEED" has kind SEED modulo
      KIT_KINDS
@@ -259,9 +259,9 @@ typedef struct kit_scene {
    built-in scene, the scene decides which objects cast. */
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
 void        kit_scene_free(kit_scene *scene);
-int         kit_scene_seeded(const char *name);    /* 1: the scene of that name has its own light */
-/* The name of the i-th built-in scene, of the i-th kind of scenes by seed, and of the i-th model that packages have;
-   NULL past the last. */
+int         kit_scene_seeded(const char *name);    /* returns 1 if the scene has its own light */
+/* Return the name of the i-th built-in scene, of the i-th kind of scenes by seed, and of the i-th model that packages
+   have; NULL past the last. */
 const char *kit_scene_builtin(int i, const char **about);
 const char *kit_scene_kind(int i, const char **about);
 const char *kit_scene_model(int i);
@@ -285,74 +285,74 @@ int         kit_scene_slide(kit_scene *scene, const float by[3], int times, kit_
    smoothly, with period 1 (0 = as loaded), never below the ground. All other objects and scenes stay. */
 void        kit_scene_move(kit_scene *scene, double time);
 
-#define KIT_BEHIND 0.2f                    /* the grey that colour pictures have where no surface is seen */
+#define KIT_BEHIND 0.2f                    /* grey of colour images where no surface is seen */
 
 /* ---- >>light ------------------------------------------------------------------------------------------------ */
 
 #define KIT_MAX_LIGHTS 16
 typedef struct kit_lighting {
-    kit_image env;                         /* radiance as kit_env_read gives it; data NULL = none */
-    float     reach;                       /* occluders within it shadow the lights in the ground truth; 0: all do */
+    kit_image env;                         /* radiance in the layout of kit_env_read; data NULL: no environment */
+    float     reach;                /* radius of the shadows of lights in the ground truth, world units; 0: unlimited */
     int       lights;
     kit_light light[KIT_MAX_LIGHTS];
 } kit_lighting;
 
-/* Built in: "sky", a clear sky with a soft sun side, no sharp sun; "probe", a dim room with coloured windows and lamps
-   up to a thousand times as bright; "windows", a room by day; "street", a street at night whose lamps give most of the
-   light from a thousandth of the sphere; "white", radiance 1 everywhere. Else an .exr or .hdr file with channels R, G,
-   B. Latitude-longitude, oriented as OpenEXR defines it: +y up, the picture's centre looks to +z, +x left of the
-   centre; texels are areas, so the first row ends at the pole. env gets channels R,G,B in this order; values that are
-   not finite or below 0 become 0. */
+/* Reads an environment. Built in are "sky", a clear sky with a soft sun side, no sharp sun; "probe", a dim room with
+   coloured windows and lamps up to a thousand times as bright; "windows", a room by day; "street", a street at night
+   whose lamps give most of the light from a thousandth of the sphere; "white", radiance 1 everywhere. Else an .exr or
+   .hdr file with channels R, G, B. Latitude-longitude, oriented as OpenEXR defines it: +y up, the picture's centre
+   looks to +z, +x left of the centre; texels are areas, so the first row ends at the pole. env gets channels R,G,B in
+   this order; values that are not finite or below 0 become 0. */
 int  kit_env_read(kit_image *env, const char *name_or_path, kit_error *err);
 /* Turns the environment about +y, anticlockwise as seen from above, and scales its radiance. */
 int  kit_env_adjust(kit_image *env, double degrees, double strength, kit_error *err);
-/* The own light of a scene by seed: its environment and its lights. lighting must be empty. */
+/* Adds the own light of a scene by seed: its environment and its lights. lighting must be empty. */
 int  kit_light_scene(kit_lighting *lighting, const kit_scene *scene, kit_error *err);
 /* Draws a sun into env as a disc with soft edges, such that a surface facing it receives the sun's colour as
    irradiance. If env has no data it becomes 1024 x 512 black texels first. degrees: half-angle, from one texel's height
    to 45. The light must be a SUN. */
 int  kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err);
-/* bilinear, wraps around; direction need not be unit; 0 if data is NULL */
+/* Writes the radiance of a direction, which need not be unit: bilinear, wrapping around; 0 if data is NULL. */
 void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[3]);
-/* Convert between a direction and its place in the picture, in texels from the top left corner: the centre of the first
-   texel is (0.5, 0.5). */
-/* at: in [0, width] x [0, height]; direction need not be unit */
+/* Convert between a direction and its place in the environment's image, in texels from the top left corner: the centre
+   of the first texel is (0.5, 0.5). */
+/* at: in texels, in [0, width] x [0, height]; direction need not be unit */
 void kit_env_place(const kit_image *env, const float direction[3], double at[2]);
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3]);  /* unit */
-/* The picture as three floats a texel, row by row, as ssgi.h takes it. The caller calls free(). NULL: no memory. */
+/* Returns an environment as three floats a texel, row by row, for ssgi.h; NULL: no memory. The caller calls free(). */
 float *kit_env_interleaved(const kit_image *env);
 
-/* Published scattering constants [JMLH01 figure 5], per millimetre: those of material i; NULL past the last. */
+/* Published scattering constants [JMLH01 figure 5], per millimetre. The function gives the i-th; NULL past the last. */
 typedef struct kit_material { const char *name; float sigma_s[3], sigma_a[3], eta; } kit_material;
 const kit_material *kit_material_of(int i);
 
-/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers in -KIT_MOST..KIT_MOST, colours at least 0. A sun's direction need
-   not be unit, but not 0. The light's place is stored relative to origin, a mesh's; NULL: relative to 0. */
+/* Parses "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers in -KIT_MOST..KIT_MOST, colours at least 0. A sun's
+   direction need not be unit, but not 0. The position is stored relative to origin, a mesh's; NULL: to 0. */
 int  kit_light_parse(kit_light *light, const char *text, const double origin[3], kit_error *err);
 
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */
 
 void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh);         /* sets znear and zfar if they are 0 */
-/* camera's eye becomes from's eye turned by degrees about from's target, around its up */
+/* Sets camera's eye to from's eye, turned by degrees about from's target, around from's up vector. */
 void kit_camera_orbit(kit_camera *camera, const kit_camera *from, double degrees);
-/* World to view; view to clip by the depth layout (REVERSED and INFINITE: clip z in [0, w]; NORMAL: [-w, w]). */
+/* Writes the matrices to view and clip space. REVERSED and INFINITE: clip z in [0, w]; NORMAL: [-w, w]. */
 void kit_camera_matrices(const kit_camera *camera, float view[16], float projection[16]);
-/* The place and window (not the radius) of a header from a camera, and back. From a header only the parts that it has
-   are taken; the camera's width and height must be the frame's. */
+/* Convert a camera to the position, rotation and window of a header (not the radius), and back. From a header only the
+   parts that it has are taken; the camera's width and height must be the frame's. */
 void kit_camera_to_header(kit_header *header, const kit_camera *camera);
 void kit_camera_from_header(kit_camera *camera, const kit_header *header);
-/* The ray through the centre of the pixel in column x, row y counted from the TOP. direction is unit; origin is the eye
-   (perspective) or on the plane of the eye (orthographic). */
+/* Writes the ray through the centre of the pixel in column x, row y counted from the TOP. direction is unit; origin is
+   the eye (perspective) or on the plane of the eye (orthographic). */
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);
-/* The world-space point that such a pixel shows at a view depth. */
+/* Writes the world-space point that is seen at a view depth in the pixel in column x, row y counted from the top. */
 void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3]);
-/* A radius on the screen, in frame heights: the mean over the pixels that show a surface. */
+/* Returns the projection of a radius in image heights, a mean over the pixels that show a surface. */
 double kit_screen_radius(const kit_image *frame, const kit_camera *camera, float radius);
 
-/* The weight of an occluder at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2; 0 beyond R. */
+/* How an occluder's weight falls with its distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2; it is 0 beyond R. */
 enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
 
-/* Ray-traced ambient visibility of every pixel (channel Y; 1 where nothing is seen). A primary ray goes through the
+/* Ray-traces the ambient visibility of every pixel (channel Y; 1 in the background). A primary ray goes through the
    pixel's centre. Stratified rays, cosine-weighted about the shading normal (turned toward the viewer), are each
    blocked by the nearest hit at t < radius with the attenuation's weight. rays 1..65536; radius above 0, INFINITY only
    with NONE. stride > 1 computes one pixel in every stride x stride block (its top-left one offset by stride/2) and
@@ -360,19 +360,19 @@ enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
 int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation,
                  int rays, int stride, kit_error *err);
 
-/* Two such pictures with linear attenuation, in the channels "Y" and "again", whose noise is independent. The mean
-   product of an image's differences from both is its squared error, without the noise of the ground truth. */
+/* Ray-traces visibility with linear attenuation twice, in the channels "Y" and "again", whose noise is independent. The
+   mean product of an image's differences from both is its squared error, without the noise of the ground truth. */
 int kit_truth_pair(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int rays,
                    kit_error *err);
 
-/* The same between objects: rays are blocked at any distance, by objects that cast and that the pixel does not show. */
+/* Ray-traces visibility between objects: rays are blocked at any distance, by casting objects but the pixel's own. */
 int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *camera, int rays, int stride,
                       kit_error *err);
 
-/* the channels of lit pictures */
+/* the channels of images of light */
 #define KIT_LIT_CHANNELS "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B"
 
-/* Ray-traced light of every pixel; all channels 0 where nothing is seen:
+/* Ray-traces the light of every pixel; all channels are 0 in the background:
      R, G, B            outgoing radiance: albedo * (irradiance + bounce)
      irradiance.R .G .B irradiance over pi, before albedo: light of the environment, each direction blocked by the
                         nearest hit at t < radius with the attenuation's weight; and the lights, shadowed by the whole
@@ -388,15 +388,15 @@ int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *
 int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
                   float radius, int attenuation, int bounce, int rays, int stride, kit_error *err);
 
-/* One specular bounce: irradiance.* holds the radiance of the lobe cos^exponent [limit: 0..1e5] about the mirrored view
-   direction, normalised over its hemisphere. In each direction the nearest hit at t < radius sends the light that it
-   sends in the bounce of kit_truth_lit, with the attenuation's weight; all other directions, and those below the
-   surface, give none. R, G, B are albedo times it, bounce is 0. All else as in kit_truth_lit; most noise is in the
-   light of the hits. */
+/* Ray-traces one specular bounce: irradiance.* holds the radiance of the lobe cos^exponent [limit: 0..1e5] about the
+   mirrored view direction, normalised over its hemisphere. In each direction the nearest hit at t < radius sends the
+   light that it sends in the bounce of kit_truth_lit, with the attenuation's weight; all other directions, and those
+   below the surface, give none. R, G, B are albedo times it, bounce is 0. All else as in kit_truth_lit; most noise is
+   in the light of the hits. */
 int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
                     float radius, int attenuation, double exponent, int rays, int stride, kit_error *err);
 
-/* The light that ambient visibility approximates when it dims light; NaN where nothing is seen:
+/* Ray-traces the light that ambient visibility approximates when it dims light; NaN in the background:
      Y            ambient visibility, as in kit_truth_ao
      bent, normal cosines of the mirrored view direction to the mean unoccluded direction, and to the normal
      white.*      Y of surfaces that reflect, all of one albedo, under light of 1 from everywhere: any number of bounces
@@ -405,22 +405,22 @@ int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *ca
                   of GGX with a roughness mirror the view
    Rays as in kit_truth_ao. Each continues as a path, and each lobe has as many. */
 #define KIT_REFLECTED_ALBEDOS { 0.2f, 0.5f, 0.8f }
-#define KIT_REFLECTED_ROUGHNESSES { 0.05f, 0.15f, 0.35f, 0.7f }     /* alpha, the square of an artist's roughness */
+#define KIT_REFLECTED_ROUGHNESSES { 0.05f, 0.15f, 0.35f, 0.7f }  /* alpha of GGX, the square of an artist's roughness */
 #define KIT_REFLECTED_CHANNELS "Y,bent,normal,white.1,white.2,white.3,lobe.1,lobe.2,lobe.3,lobe.4"
 int kit_truth_reflected(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int rays,
                         int stride, kit_error *err);
 
-/* Multiple scattering [Jensen and Buhler 2002], as the plain sum without their octree: irradiance.* holds M/pi = sum E
-   A R_d / pi over samples [limit: 1..2^26] spread evenly over all of the mesh, each with the irradiance E of the lights
-   (the environment is ignored), shadowed by the whole scene, on the side of its normals. unit: world units of the
-   dipole's unit of length [limit: > 0]. R, G, B are albedo times it, bounce is 0. If samples are farther apart than z_r
-   / 2 the sum is noisy. R_d comes from a table, exact to 1e-4 if z_r is above 2e-3 of the bounds' diagonal. Time: about
-   2 ns of one core for each pair of a pixel and a lit sample. */
+/* Computes multiple scattering [Jensen and Buhler 2002] as the plain sum, without their octree: irradiance.* holds M/pi
+   = sum E A R_d / pi over samples [limit: 1..2^26] spread evenly over all of the mesh, each with the irradiance E of
+   the lights (the environment is ignored), shadowed by the whole scene, on the side of its normals. unit: world units
+   of the dipole's unit of length [limit: > 0]. R, G, B are albedo times it, bounce is 0. If samples are farther apart
+   than z_r / 2 the sum is noisy. R_d comes from a table, exact to 1e-4 if z_r is above 2e-3 of the bounds' diagonal.
+   Time: about 2 ns of one core for each pair of a pixel and a lit sample. */
 struct ssgi_dipole;                        /* ssgi.h's */
 int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
                       const struct ssgi_dipole *dipole, float unit, size_t samples, int stride, kit_error *err);
 
-/* Where the error of a picture is. Channels edge, border, interior: each pixel is of one kind and has 1 in its channel;
+/* Finds what kind of place each pixel is, in channels edge, border and interior: it has 1 in the channel of its kind;
    all 0 where nothing is seen. frame: channel Z, view depth as in the build/render contract, seen by camera.
      edge      within 3 pixels, along its row or column, of a jump in depth. u is 1/z, or z if orthographic, which is
                linear over a plane. Two neighbours have a jump between them if u changes there by more, or by less, than
@@ -432,28 +432,28 @@ int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *
      interior  all others */
 enum { KIT_EDGE, KIT_BORDER, KIT_INTERIOR, KIT_PLACES };
 int  kit_image_places(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, kit_error *err);
-/* Scores of each kind alone, of count channels together. area: its part of the pixels that are known; error: its part
-   of their squared error. All 0 if there is no such pixel. */
+/* The score of one kind of place, over count channels. area: the share of the pixels with ground truth that are of this
+   kind; error: the kind's share of the squared error. All 0 if there is no such pixel. */
 typedef struct kit_score_place { kit_score score; double area, error; } kit_score_place;
 int  kit_score_places(kit_score_place place[KIT_PLACES], const kit_image *a, const kit_image *b,
     const char *const *channels, int count, const kit_image *places, kit_error *err);
 
-/* The floor: the exact answer from the content of one depth layer. frame: channels Z, N.X, N.Y, N.Z as in the
-   build/render contract (view depth, view-space normals). The visible surface is rebuilt as thin sheets (neighbouring
-   pixel centres are joined if they are on one surface) and traced as in kit_truth_ao. */
+/* Computes the floor: the exact visibility if only the content of one depth layer occludes. frame: channels Z, N.X,
+   N.Y, N.Z as in the build/render contract (view depth, view-space normals). The visible surface is rebuilt as thin
+   sheets (neighbouring pixel centres are joined if they are on one surface) and traced as in kit_truth_ao. */
 int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation,
                  int rays, int stride, kit_error *err);
 
-/* How well a frame's normals agree with those that the camera and its depth give. frame: channels as for the floor. It
-   looks at up to 500 x 500 pixels whose neighbours are on one surface with them. */
+/* Compares a frame's normals with those that its depth and the camera give, at up to 500 x 500 pixels whose neighbours
+   are on one surface with them. frame: channels as for the floor. */
 #define KIT_OFF 45.0
 typedef struct kit_agreement {
     int    pixels;
-    double off, angle;                     /* part of them that differ by more than KIT_OFF degrees; median, degrees */
-    /* median ratio of the tangents of both normals' angles to the view axis: the lens's excess width */
+    double off, angle;   /* share of these pixels that differ by more than KIT_OFF degrees; the median angle, degrees */
+    /* median ratio of the tangents of both normals' angles to the view axis; above 1: the lens is too wide */
     double steeper;
 } kit_agreement;
 int  kit_frame_agreement(kit_agreement *out, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
-/* ---- >>gl, >>gbuffer, >>method: see kit_gl.h ------------------------------------------------------------------- */
+/* ---- >>gl, >>gbuffer, >>method are in kit_gl.h ----------------------------------------------------------------- */
 #endif

@@ -1,7 +1,7 @@
-/* kit_gl.h - the GL half of the kit: headless contexts, GL functions, textures, the G-buffer. Not part of the library.
+/* kit_gl.h - the part of the kit that calls GL: headless contexts, GL functions, textures, the G-buffer. Not part
+   of the library.
 
-   Rows of textures run bottom-up, as GL has them; rows of kit_image run top-down. One context at a time, on one
-   thread. */
+   Rows of textures run bottom-up, as GL has them, rows of kit_image top-down. One context at a time, on one thread. */
 #ifndef KIT_GL_H
 #define KIT_GL_H
 
@@ -56,7 +56,7 @@
     X(ClipControl, CLIPCONTROL) X(GetBufferSubData, GETBUFFERSUBDATA) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V) \
     X(TexImage2DMultisample, TEXIMAGE2DMULTISAMPLE)
 #if defined(__GNUC__)
-#define KIT_GL_HIDDEN __attribute__((visibility("hidden")))   /* else Mesa's own calls may bind to these pointers */
+#define KIT_GL_HIDDEN __attribute__((visibility("hidden")))   /* else Mesa's own calls may be bound to these pointers */
 #else
 #define KIT_GL_HIDDEN
 #endif
@@ -77,40 +77,40 @@ KIT_GL_DESKTOP(KIT_GL_DECLARE)
                else a software device
      "egl-es"  GLES 3.2, 3.1 or 3.0, on the same devices */
 int         kit_gl_open(const char *context, kit_error *err);
-/* The same for a context that is current already, such as a window's; proc gives the address of a GL function. GL 3.3
+/* Uses a context that is current already, such as a window's; proc returns the address of a GL function. GL 3.3
    suffices, without tessellation. Closing the kit leaves that context open; its owner closes the kit first. */
 int         kit_gl_adopt(void (*(*proc)(const char *name))(void), kit_error *err);
 void        kit_gl_close(void);
-const char *kit_gl_name(void);                    /* "renderer, version"; "" when nothing is open */
+const char *kit_gl_name(void);                    /* returns "renderer, version"; "" when no context is open */
 int         kit_gl_is_es(void);
 int         kit_gl_is_software(void);
 
-/* A 2D texture, NEAREST, CLAMP_TO_EDGE, one level. internal_format: R8 RG8 RGBA8, R16F RG16F RGBA16F, R32F RG32F
-   RGBA32F, R32UI RG32UI RGBA32UI, DEPTH_COMPONENT24, DEPTH_COMPONENT32F; any other gives 0. data: as many floats a
-   texel as the format has components; for a UI format the pointer is to uint32_t. */
+/* Makes a 2D texture: NEAREST, CLAMP_TO_EDGE, one level. internal_format: R8 RG8 RGBA8, R16F RG16F RGBA16F, R32F RG32F
+   RGBA32F, R32UI RG32UI RGBA32UI, DEPTH_COMPONENT24, DEPTH_COMPONENT32F; for any other it returns 0. data: as many
+   floats a texel as the format has components; for a UI format the pointer is to uint32_t. */
 GLuint      kit_texture(int width, int height, GLenum internal_format, const float *data_or_null);
-/* The same as a 2D array of layers slices; data is slice after slice. Draw into a slice with
+/* Makes a 2D array texture of so many layers; data is layer after layer. Draw into a layer with
    glFramebufferTextureLayer. */
 GLuint      kit_texture_array(int width, int height, int layers, GLenum internal_format, const float *data_or_null);
-void        kit_texture_linear(GLenum target);    /* makes the texture that is bound there LINEAR */
-/* Reads the lower left width x height texels, the first components of each (1..4). -1: the context cannot read this
-   texture. */
+void        kit_texture_linear(GLenum target);    /* sets the filters of the texture bound to target to LINEAR */
+/* Reads the lower left width x height texels, the first `components` (1..4) of each. Returns -1 if the context cannot
+   read this texture. */
 int         kit_texture_read(GLuint texture, int width, int height, int components, float *out);
 int         kit_texture_slice_read(GLuint array, int slice, int width, int height, int components, float *out);
 
-/* Compiles and links; 0 on failure. The shaders stay attached, so a caller that needs transform feedback names its
-   varyings and links again. */
+/* Compiles and links a program; returns 0 on failure. The shaders stay attached, so a caller that needs transform
+   feedback names its varyings and links again. */
 GLuint      kit_program(const char *const *source, const GLenum *stage, int count, kit_error *err);
-/* The same with a vertex and a fragment stage. Before each go the #version line and precisions that suit the context,
-   then head (#define lines or ""). */
+/* Makes a program of a vertex and a fragment shader. Before each go the #version line and precisions that suit the
+   context, then head (#define lines or ""). */
 GLuint      kit_program_text(const char *head, const char *vertex, const char *fragment, kit_error *err);
 
-/* A cache of programs by a hash of their source, which lives as long as the context. kept: 0 = not in the cache. */
+/* Keep programs in a cache by a hash of their source, as long as the context lives. kept returns 0 if it has none. */
 GLuint      kit_program_kept(uint64_t key);
 int         kit_program_keep(uint64_t key, GLuint program, kit_error *err);
 GLuint      kit_program_kept_text(const char *head, const char *vertex, const char *fragment, kit_error *err);
 
-/* Opaque drawing of count vertices, uploaded once, with interleaved vec3 attributes 0, 1 ..: both sides, all channels
+/* Draws count vertices, uploaded once, with interleaved vec3 attributes 0, 1 ..: opaque, both sides, all channels
    written, depth test LESS. Resting restores the previous vertex array and sets framebuffer 0, program 0, no depth test
    and no scissor test, until the soup is used again; closing does the same. */
 typedef struct kit_soup { GLuint vertex_array, buffer; GLint vertex_array_was; } kit_soup;
@@ -119,36 +119,36 @@ void        kit_soup_rest(kit_soup *soup);
 void        kit_soup_use(kit_soup *soup);
 void        kit_soup_close(kit_soup *soup);
 
-/* Milliseconds of GL time between begin and end: by a timer query on hardware, by the clock around glFinish in
-   software. No nesting. */
+/* Measure the milliseconds of GL time between begin and end: by a timer query on hardware, by the clock around glFinish
+   in software. No nesting. */
 void        kit_timer_begin(void);
 double      kit_timer_end(void);
-const char *kit_timer_name(void);                 /* "timer queries" or "the clock" */
+const char *kit_timer_name(void);                 /* returns "timer queries" or "the clock" */
 
 /* ---- >>gbuffer ---------------------------------------------------------------------------------------------- */
 
 typedef struct kit_gbuffer {
     int        width, height;              /* of the textures */
-    int        viewport[4];                /* x, y, width, height of the picture in them; origin at the lower left */
+    int        viewport[4];         /* x, y, width, height of the image within the textures; origin at the lower left */
     GLuint     depth;                      /* DEPTH_COMPONENT32F window depth, or R32F view depth (0 = background) */
     int        depth_is_linear;            /* 1 = the latter */
     /* RGBA32F, view space, toward the viewer; 0 = background. Texture 0: normals are derived from depth */
     GLuint     normal;
     GLuint     albedo;                     /* RGBA16F; texture 0: none */
-    /* R32UI, number of the object that the first layer shows (kit_mesh), 0 = no object. Texture 0: none (frames) */
+    /* R32UI, number of the object that the first layer shows (kit_mesh), 0 = no object. Texture 0: frames have none */
     GLuint     object;
     kit_camera camera;                     /* planes filled in */
     float      projection[16];             /* of the viewport */
-    /* RGBA32F, outgoing radiance of the first layer; texture 0: none (only frames have it) */
+    /* RGBA32F, outgoing radiance of the first layer. Texture 0: there is none; only frames have it */
     GLuint     direct;
-    /* 1 if not peeled. The second, third .. layer are slices 0, 1 .. of these 2D arrays: */
+    /* 1 if not peeled. The second, third .. depth layers are array layers 0, 1 .. of these textures: */
     int        layers;
-    /* formats as above; normals of even layers point away from the viewer */
+    /* in the formats of depth, normal and albedo; normals of even layers point away from the viewer */
     GLuint     layer_depth, layer_normal, layer_albedo;
-    /* back: the nearest back face, in the format of depth. slabs: RGBA32F, that; the next front face behind it; the
-       next back face behind that. 0: none */
+    /* back: the nearest back face, in the format of depth. slabs: RGBA32F, the depths of the nearest back face, of the
+       next front face behind it, and of the next back face behind that. Texture 0: not drawn */
     GLuint     back, slabs;
-    double     slab_ms[2];                 /* time of drawing these two, milliseconds; 0 with a frame */
+    double     slab_ms[2];                 /* milliseconds that drawing back and slabs took; 0 with a frame */
     GLuint     motion;                     /* RG32F, pixels that a point moved since the last frame; 0: none */
 } kit_gbuffer;
 
@@ -158,18 +158,18 @@ typedef struct kit_gbuffer {
 int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4],
                            kit_error *err);
 
-/* For many frames of one scene: keep uploads its triangles once, for G-buffers and shadow maps. Call forget before the
-   triangles change or are freed, and before the context closes. One mesh at a time. */
+/* kit_mesh_keep uploads a scene's triangles once, for the G-buffers and shadow maps of many frames. Call
+   kit_mesh_forget before the triangles change or are freed, and before the context closes. One mesh at a time. */
 int  kit_mesh_keep(const kit_mesh *mesh, kit_error *err);
 void kit_mesh_forget(void);
-/* The kept mesh, ready to be drawn with its position as attribute 0, until kit_soup_rest; NULL: it is not kept. */
+/* Returns the kept mesh, ready to be drawn by attribute 0, its position, until kit_soup_rest; NULL: not kept. */
 kit_soup *kit_mesh_kept(const kit_mesh *mesh);
 
-/* The same view of a scene, `pixels` wider on each side; near and far planes and depth layout stay. */
+/* Draws a G-buffer of the same view, `pixels` wider on each side; near and far planes and depth layout stay. */
 int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_scene *scene, int pixels,
     kit_error *err);
 
-/* Depth peeling [Everitt 2001]: replaces the second and farther layers of a G-buffer that came from this scene, up to
+/* Peels depth [Everitt 2001]: replaces the second and farther layers of a G-buffer that came from this scene, up to
    `layers` layers in all [limit: 1..KIT_MAX_LAYERS]. A surface is of the next layer if it is more than 4e-6 of its view
    depth behind the last layer, so none is peeled against itself. Normals of odd layers (1st, 3rd ..) are turned toward
    the viewer, of even layers away: both sides of a closed solid face open space. Leaves GL as kit_gbuffer_from_scene
@@ -177,8 +177,8 @@ int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_
 #define KIT_MAX_LAYERS 8
 int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err);
 
-/* Draws back faces, by winding (counter-clockwise is the front), of a G-buffer that came from this scene and replaces
-   its own. slabs 1: back, one draw of the scene; 2: slabs, three draws. Leaves GL as kit_gbuffer_from_scene does. */
+/* Draws a G-buffer's back faces, by winding (counter-clockwise is the front), from the scene that it came from. slabs
+   1: only the nearest, one draw of the scene; 2: slabs, three draws. Leaves GL as kit_gbuffer_from_scene does. */
 int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err);
 
 /* Gives channels of another program's frame the names that kit_gbuffer_from_frame takes: channel[i] is "Z=THEIRS". If
@@ -188,15 +188,15 @@ int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, 
 int  kit_frame_rename(kit_image *frame, const char *const *channel, int channels, const char *layer,
                       const kit_camera *camera, int placed, kit_error *err);
 
-/* From a frame. Channels: Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a
-   zero normal becomes +z, -z in even layers; a frame of one layer may lack them). Optional: albedo.R/G/B; layer1.Z,
-   layer1.N.X .. of the second layer, layer2.Z .. of the third, up to KIT_MAX_LAYERS; direct.R/G/B (values that are not
-   finite or below 0 become 0); back.Z, or back.Z, front2.Z and back2.Z (view depth, 0 = no such face). The camera takes
-   the frame's size, and planes around Z if its own are 0. */
+/* Makes a G-buffer from a frame. Channels: Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space;
+   made unit; a zero normal becomes +z, -z in even layers; a frame of one layer may lack them). Optional: albedo.R/G/B;
+   layer1.Z, layer1.N.X .. of the second layer, layer2.Z .. of the third, up to KIT_MAX_LAYERS; direct.R/G/B (values
+   that are not finite or below 0 become 0); back.Z, or back.Z, front2.Z and back2.Z (view depth, 0 = no such face). The
+   camera takes the frame's size, and planes around Z if its own are 0. */
 int  kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
-/* The inverse, for the viewport: those channels of all layers, and direct.R/G/B and slabs if the G-buffer has them;
-   background is 0 in all. */
+/* Reads a G-buffer back as a frame, without the margin: the channels of all layers that kit_gbuffer_from_frame takes,
+   direct.R/G/B and slabs if the G-buffer has them; background is 0 in all. */
 int  kit_gbuffer_read(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);
 int  kit_gbuffer_read_depth(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);     /* Z alone */
 void kit_gbuffer_free(kit_gbuffer *gbuffer);
@@ -204,34 +204,34 @@ void kit_gbuffer_free(kit_gbuffer *gbuffer);
 /* ---- >>shadow ----------------------------------------------------------------------------------------------- */
 
 typedef struct kit_shadow_camera {
-    /* world to light view (the camera along -z); GL's clip space, perspective or orthographic */
+    /* from world to light view (the camera looks along -z); to GL's clip space, perspective or orthographic */
     float view[16], projection[16];
     int   tile[4];                         /* x, y, width, height in texels of the atlas */
 } kit_shadow_camera;
 
-/* A DEPTH_COMPONENT32F atlas of shadow maps of both sides of every triangle, 1 where nothing is. Tiles must be inside
-   the atlas; where tiles overlap the nearest depth stays. 0 on failure. Leaves GL as kit_gbuffer_from_scene does. */
+/* Draws a DEPTH_COMPONENT32F atlas of shadow maps of both sides of every triangle, 1 where nothing is. Tiles must be
+   inside it; where tiles overlap the nearest depth stays. 0 on failure. Leaves GL as kit_gbuffer_from_scene does. */
 GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count,
                         kit_error *err);
 
-/* A light's reflective shadow map [Dachsbacher and Stamminger 2005] in three arrays of 3 floats a pixel, which the
-   caller frees: world position; world normal (unit, toward the light); reflected flux = albedo * the light's power that
-   falls on the pixel. POINT: six cube faces of resolution x resolution pixels, power = intensity * the pixel's exact
-   solid angle; surfaces nearer than 1e-4 of the bounds' diagonal are not seen. SUN: one orthographic map around the
-   scene's bounds, power = irradiance * the pixel's area. All 0 in empty pixels. resolution [limit: 1..4096]. */
+/* Renders a light's reflective shadow map [Dachsbacher and Stamminger 2005] as three arrays of 3 floats a pixel, which
+   the caller frees: world position; world normal (unit, toward the light); reflected flux = albedo * the light's power
+   that falls on the pixel. POINT: six cube faces of resolution x resolution pixels, power = intensity * the pixel's
+   exact solid angle; surfaces nearer than 1e-4 of the bounds' diagonal are not seen. SUN: one orthographic map around
+   the scene's bounds, power = irradiance * the pixel's area. Empty pixels are 0. resolution [limit: 1..4096]. */
 int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, const kit_scene *scene,
             const kit_light *light, int resolution, kit_error *err);
 
 /* ---- >>field ------------------------------------------------------------------------------------------------ */
 
-/* The field of a shape, baked on all cores when it is first asked for, then kept until kit_fields_free. NULL on
+/* Returns the field of a shape, baked on all cores when it is first asked for, then kept until kit_fields_free. NULL on
    failure. seconds: the time of the bake; may be NULL. desc's callbacks are ignored. */
 const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err);
 void   kit_fields_free(void);
-/* share: the number of pixels within reach of an occluder's field, summed over the occluders, over all pixels. */
+/* Writes the number of pixels that each occluder's field reaches, summed over the occluders, over all pixels. */
 int    kit_fields_cover(double *share, const kit_image *frame, const kit_camera *camera, const kit_scene *scene,
                         const ssgi_field_desc *desc, kit_error *err);
-/* The texture t_ssgi_fields: count fields, one in each slice. */
+/* Makes the texture t_ssgi_fields: count fields, one in each array layer. */
 GLuint kit_field_atlas(const ssgi_field *const *field, int count);
 
 /* ---- >>method ----------------------------------------------------------------------------------------------- */
@@ -247,26 +247,26 @@ enum { KIT_LIGHTS_HARMONICS, KIT_LIGHTS_SHADOWED };
 enum { KIT_OCCLUDERS_SOLID, KIT_OCCLUDERS_ALL };
 enum { KIT_WAY_CPU, KIT_WAY_CAPTURE, KIT_WAY_DIRECT };
 typedef struct kit_settings {
-    /* which samples a gather takes */
+    /* these members choose the samples of a gather */
     int    slices, directions, samples, normal_rays, march_terms, growing_sphere, sets, uniform_directions;
     int    resolution, range_check, noise;
-    double offset, phase;                  /* half pixels; [0, 1] */
+    double offset, phase;                  /* offset: in half pixels; phase: of the noise, [0, 1] */
     int    layers, views, view_layers, view_size;
     double margin;                         /* radii */
     /* how much they occlude */
     int    thickness, falloff, fade, normal, left_handed, facets, lift;
-    double thickness_limit, fade_from, lambda;   /* in radii; in radii; per radius */
+    double thickness_limit, fade_from, lambda;   /* in radii; in radii; a rate of decay per radius */
     /* filters */
     int    blur, filter, filter_normals, restore, history;
     /* light */
     int    environment, bounce, reuse, bounced, two_sided, one_sided, shadows, points, solid, shadow_size, suns, vpls;
-    double clamp, distance_clamp, gain, max_slope;    /* radii; 1 = a patch's own area; a slope */
-    /* as spherical harmonics, or bent normals */
+    double clamp, distance_clamp, gain, max_slope;    /* a luminance; in radii; a factor of a sample's area; a slope */
+    /* settings of methods of light as spherical harmonics, or by bent normals */
     int    bands, store, indirect, occluded_emitters, filtered, residual, window, lights, cone, lobes;
     /* fields */
     int    field_resolution, radii, rays, unfiltered, own, occluders;
-    int    cap_table;                      /* its side; 0: closed form */
-    double reach, ramp, inside, power;     /* bounding spheres' radii; of the reach; below 0: measured; an exponent */
+    int    cap_table;                      /* width and height of t_ssgi_cap in texels; 0: closed form */
+    double reach, ramp, inside, power;    /* in bounding spheres' radii; of the reach; below 0: measured; an exponent */
     /* surfels */
     int    levels, way, near_samples, span, sky, near_depth, keep_small, splits, smooth, material;
     int    overhang, enlarge, combine;
@@ -284,31 +284,31 @@ typedef struct kit_setting {
 
 typedef struct kit_method {
     const char  *name, *about;
-    int          number;                   /* in kit_method_at and in ssgi_gl_method_at */
+    int          number;                   /* index in kit_method_at and in ssgi_gl_method_at */
     const struct plan *plan;               /* its settings */
     int          pass, effect;             /* SSGI_GL_PASS_SSAO ..; for surfels, SSGI_GL_EFFECT_OCCLUSION .. */
-    int          lit;                      /* 0: writes ambient visibility Y; 1: light */
-    int          between;                  /* 1: occlusion by other objects only; ground truth: kit_truth_objects */
-    const char  *custom;                   /* methods of surfels: GLSL for SSGI_GL_EFFECT_CUSTOM */
+    int          lit;                      /* 0: writes ambient visibility Y; 1: writes light */
+    int          between;                /* 1: occlusion by other objects only; its ground truth is kit_truth_objects */
+    const char  *custom;                   /* for methods of surfels: GLSL for SSGI_GL_EFFECT_CUSTOM */
     kit_settings set;
 } kit_method;
 
-/* The i-th method with its settings at their defaults; 0 past the last. */
+/* Writes the i-th method with its settings at their defaults; returns 0 past the last. */
 int  kit_method_at(kit_method *method, int i);
 int  kit_method_find(kit_method *method, const char *name, kit_error *err);
-/* "key=value"; several separated by commas. On failure nothing has changed. */
+/* Sets "key=value", or several separated by commas. On failure nothing has changed. */
 int  kit_method_set(kit_method *method, const char *text, kit_error *err);
-int  kit_method_setting(kit_setting *setting, const kit_method *method, int i);    /* the i-th; 0 past the last */
-/* The word of a setting's number, in small letters, as kit_method_set takes it. Returns its length. */
+int  kit_method_setting(kit_setting *setting, const kit_method *method, int i);  /* the i-th; returns 0 past the last */
+/* Writes the word of a setting's number, in small letters, as kit_method_set takes it. Returns its length. */
 size_t kit_setting_word(char *out, size_t size, const kit_setting *setting, int number);
-/* The settings that differ from the method's defaults, as kit_method_set takes them; "" = none. */
+/* Writes the settings that differ from the method's defaults, as kit_method_set takes them; "" if there are none. */
 void kit_method_text(char *text, size_t size, const kit_method *method);
-ssgi_field_desc kit_method_field(const kit_method *method);    /* the bake by aof's settings */
-/* The number of surfel levels for a radius in screen heights. Half the radius suffices if occlusion fades with
+ssgi_field_desc kit_method_field(const kit_method *method);    /* returns the desc of a bake by the settings of aof */
+/* Returns the number of surfel levels for a radius in image heights. Half the radius suffices if occlusion fades with
    distance; light does not fade, and has a larger error with any other number. */
 int  kit_method_levels(const kit_method *method, double radius);
 int  kit_method_attenuation(const kit_method *method);         /* KIT_ATTENUATION_.. of its occluders */
-/* The ray-traced ground truth of a method's result, by kit_truth_ao and its like; for dss-scatter, rays counts
+/* Ray-traces the ground truth of a method's result, by kit_truth_ao and its like; for dss-scatter, rays counts
    thousands of samples. */
 int  kit_method_truth(kit_image *out, const kit_method *method, const kit_scene *scene, const kit_camera *camera,
                       const kit_lighting *lighting, float radius, int rays, int stride, kit_error *err);
@@ -318,27 +318,27 @@ int  kit_method_truth(kit_image *out, const kit_method *method, const kit_scene 
 typedef struct kit_world { const kit_scene *scene; const kit_lighting *lighting; } kit_world;
 
 enum { KIT_MAX_TARGETS = 6, KIT_HISTORIES = 2, KIT_MAX_PASSES = 128, KIT_MAX_TEXTURES = 192, KIT_MAX_VIEWS = 4,
-       /* uniform buffers: one for the picture's frame, two for each extra camera, then these */
+       /* indices of uniform buffers: one for the image's frame, two for each extra camera, then these */
        KIT_FRAME_VPLS = 1 + 2 * KIT_MAX_VIEWS, KIT_FRAME_VIEWS, KIT_FRAMES };
 typedef struct kit_pass {
     ssgi_gl_desc       desc;
     const kit_gbuffer *gbuffer;
-    ssgi_gl_step      *step;               /* desc is the step's, unless a test gives the pass another */
-    /* target: 0 if it draws into the array slices */
+    ssgi_gl_step      *step;     /* a step of the chain; its desc is the pass's, unless a test gives the pass another */
+    /* textures that it writes, by slot; if target[0] is 0, it draws into a layer of the array texture slices */
     GLuint             program, framebuffer, target[KIT_MAX_TARGETS], slices;
-    GLuint             input[16];          /* the step's inputs that other steps wrote; 0: any other input */
-    GLuint             last[KIT_HISTORIES]; /* history: its outputs in the last frame */
+    GLuint             input[16];          /* textures of inputs that other steps wrote; 0: any other input */
+    GLuint             last[KIT_HISTORIES]; /* with history: the outputs of this pass in the last frame */
     GLuint             lights;             /* t_ssgi_lights or t_ssgi_occluders */
     int                instances;          /* field: occluders */
-    GLuint             array, capture;     /* surfels, splat: vertex array; output of transform feedback */
-    /* numbers of small triangles and then of those that are split, as patches; 0: it draws the run's surfels */
+    GLuint             array, capture; /* for surfels and splats: vertex array; buffer that transform feedback writes */
+    /* numbers of triangles drawn whole, and of those split into splits^2 parts; 0: the run's surfels are drawn */
     int                patches[2], splits;
-    int                aside;              /* 1: it only shows a part of the result: neither timed nor counted */
+    int                aside;              /* 1: computes a part of the result, for tests; not timed nor counted */
     int                width, height;
-    int                box[4];             /* x, y, width, height: the part of its targets that is drawn; 0 = all */
-    ssgi_gl_io        *io;                 /* its inputs and outputs: rows of them */
+    int                box[4];             /* x, y, width, height of the part of its targets that is drawn; 0 = all */
+    ssgi_gl_io        *io;                 /* the pass's inputs and outputs: a table of `rows` rows */
     int                rows;
-    double             ms;                 /* of the last kit_run_draw that timed passes */
+    double             ms;                 /* milliseconds in the last kit_run_draw with KIT_PASSES */
 } kit_pass;
 
 /* ---- >>run -------------------------------------------------------------------------------------------------- */
@@ -347,38 +347,38 @@ typedef struct kit_pass {
    caller keeps the G-buffer, which must outlive the run. */
 typedef struct kit_run {
     kit_gbuffer  *gbuffer;
-    ssgi_gl_frame frame;                   /* change it as you like before a draw, then kit_run_update */
+    ssgi_gl_frame frame;                   /* change it as you like before a draw, then call kit_run_update */
     int           lit, passes, textures, views, vpls;
     kit_pass      pass[KIT_MAX_PASSES];
-    ssgi_gl_chain chain[2];                /* the chains of these passes, without those that are aside */
+    ssgi_gl_chain chain[2];                /* the chains of these passes, without passes that are aside */
     int           chains;
-    /* the result: ambient visibility, or irradiance over pi; the bounce's irradiance over pi */
+    /* textures of the result: ambient visibility, or irradiance over pi; and the bounce's irradiance over pi */
     GLuint        light, bounce;
     GLuint        texture[KIT_MAX_TEXTURES];   /* all textures that the run frees */
-    GLuint        normal;                  /* left_handed: normals with z negated; 0 = the G-buffer's are read */
+    GLuint        normal;               /* if left_handed is set: normals with z negated; 0 = the G-buffer's are read */
     GLuint        noise, kernel, environment, irradiance, view_depth, atlas, grey, cap;
     GLuint        block[KIT_FRAMES];
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
     int           margin;                  /* pixels beyond each side of the picture that a gather sees */
     kit_gbuffer   wide;                    /* with a margin: the G-buffer that replaces the caller's */
-    /* their frames; then the same with the rotation from their view space to the picture's */
+    /* the extra cameras' frames; then the same with the rotation from their view space to that of the main camera */
     ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];
     ssgi_gl_views cameras;
-    GLuint        fields;                  /* field: all shapes' fields as one array */
+    GLuint        fields;                  /* for fields: those of all shapes as one array texture */
     int           occluders;
     size_t        surfels;                 /* in the splats' buffer */
-    /* predicted pixels of all splats of the first splat pass; of each level */
+    /* predicted number of pixels of all splats in the first pass of splats; and of each surfel level */
     double        splat_pixels, level_pixels[SSGI_SPLAT_LEVELS];
     GLuint        arrays[3], buffers[3], query;
     size_t        field_bytes;             /* memory of fields */
-    GLuint        joint;                   /* a term that bounce also includes; 0 = none */
-    /* the environment, interleaved; its harmonics if a pass reads them (s3ho's have the suns as lobes) */
+    GLuint        joint;                   /* texture of a term that is also added to bounce; 0 = none */
+    /* radiance of the environment, three floats a texel; its harmonics, which with s3ho include suns */
     float        *equirect, harmonics[48];
-    /* bytes moved by all passes, for each pixel of the picture. Each pass reads each texel of its inputs once (of
+    /* bytes that all passes move, for each pixel of the image. Each pass reads each texel of its inputs once (of
        farther layers, only those that it uses) and writes each of its outputs once, in their stored formats; splats
        read each surfel once, and read and write each texel that they cover. NAN: the context cannot count those */
     double        bytes;
-    double        ms;                      /* of the last kit_run_draw that timed the frame */
+    double        ms;                      /* milliseconds of the last kit_run_draw that timed the frame */
 } kit_run;
 
 /* Makes a run ready. If the world has a scene, peels the G-buffer as the method asks. With the setting margin a larger
@@ -389,39 +389,38 @@ typedef struct kit_run {
 int kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, float radius, const kit_world *world,
                  kit_error *err);
 void kit_run_update(kit_run *run);         /* uploads run->frame */
-/* KIT_PASSES: each pass by a timer of its own, which waits for all passes before it. KIT_FRAME: all in one, as an
-   engine's frame; passes that only show a part of the result are then not drawn. */
+/* How a draw is timed. KIT_PASSES: each pass by a timer of its own, which waits for all passes before it. KIT_FRAME:
+   all in one, as an engine's frame; passes that only show a part of the result are then not drawn. */
 enum { KIT_UNTIMED, KIT_PASSES, KIT_FRAME };
 void kit_run_draw(kit_run *run, int timed);
-double kit_pass_bytes(const kit_run *run, const kit_pass *pass);   /* of one frame, as run->bytes counts them */
-/* The texture that inputs of that name read in the run; 0: no pass reads it. instead, if not 0, replaces it. */
+double kit_pass_bytes(const kit_run *run, const kit_pass *pass);   /* the pass's bytes in one frame; see run->bytes */
+/* Returns the texture that inputs of that name read in the run; 0: no pass reads it. instead, if not 0, replaces it. */
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
-double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
-/* The result: Y; or R G B (outgoing radiance, with albedo 0.8 if there is none), irradiance.R .., bounce.R ..
+double kit_run_ms(const kit_run *run);     /* returns the sum over the passes of the last timed draw */
+/* Reads the result: Y; or R G B (outgoing radiance, with albedo 0.8 if there is none), irradiance.R .., bounce.R ..
    (irradiance over pi, before albedo). */
 int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);
-void kit_run_close(kit_run *run);          /* leaves it all zero; may be called if it is, and without a context */
-/* One picture by a method's name and its settings as kit_method_set takes them: opens, draws, reads, closes a run. */
+void kit_run_close(kit_run *run);          /* frees and zeroes all of it; also without a context, or if it is zero */
+/* Draws one image by a method's name and its settings, for kit_method_set: opens, draws, reads, closes a run. */
 int  kit_run_picture(kit_image *out, kit_gbuffer *gbuffer, const kit_world *world, const char *method, const char *set,
                      float radius, kit_error *err);
 
 /* ---- >>frames ----------------------------------------------------------------------------------------------- */
 
-/* Before a draw: makes the run the frame after last's. last is a run of the same method on a picture of any size; it
-   must not be drawn again, because the run takes its history. It may be the run itself, once drawn. frame: its
-   number. */
+/* Makes a run, before it is drawn, the frame after last's. last is a run of the same method on an image of any size; it
+   must not be drawn again, because the run takes its history. It may be the run itself, once drawn. */
 int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
-int  kit_run_keeps(const kit_run *run);    /* 1: one of its passes averages over frames */
+int  kit_run_keeps(const kit_run *run);    /* returns 1 if one of its passes averages over frames */
 
-/* A method on one G-buffer after another. Set it all to zero first; close it whether or not a call failed. */
+/* Draws a method on one G-buffer after another. Set it all to zero first; close it whether or not a call failed. */
 typedef struct kit_frames {
     kit_run  run[2];
-    kit_run *now;                          /* the present frame's, to be drawn and read by the caller; NULL: none */
-    unsigned number;                       /* of the next frame, which selects its noise; the first may be any */
-    unsigned since;                        /* consecutive frames up to now, including the present one */
+    kit_run *now;                       /* the run of the present frame, which the caller draws and reads; NULL: none */
+    unsigned number;                       /* index of the next frame, which selects its noise; the first may be any */
+    unsigned since;                        /* number of consecutive frames up to now, including the present one */
     /* duration of the next frame in 60ths of a second; KIT_MEMORY of these are averaged. 0: 16 frames are averaged */
-    float elapsed, took;                   /* took: kit_frames_next's own */
-    int jittered;                          /* 1: camera.shift is jitter, not motion */
+    float elapsed, took;                   /* took: set by kit_frames_next */
+    int jittered;                          /* 1: camera.shift is jitter of the projection, not motion */
 } kit_frames;
 #define KIT_MEMORY 16.0f
 
@@ -438,25 +437,25 @@ void kit_frames_close(kit_frames *frames); /* may be called again */
    k = 1 on; k = 0 begins anew. */
 int  kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_error *err);
 
-/* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
+/* ---- >>plan: measures a scene for the planner --------------------------------------------------------------- */
 
 /* Measures a picture for ssgi_plan_make, all its numbers except error, budget, device and history: a survey; if there
    is a scene, a calibration by ray tracing and the cost of its surfels; the environment's harmonics. */
 int kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted,
                      kit_error *err);
-/* A plan as a chain: the desc of ssgi_gl_plan, and the members that it leaves to its caller; and as a method. Fails for
-   a plan of NOTHING. */
+/* kit_plan_chain writes a plan as a chain: the desc of ssgi_gl_plan, and the members that it leaves to its caller.
+   kit_plan_method writes it as a method. Both fail for a plan of NOTHING. */
 int  kit_plan_chain(ssgi_gl_chain *chain, const ssgi_plan *plan, int wanted, kit_error *err);
 int  kit_plan_method(kit_method *method, const ssgi_plan *plan, int wanted, kit_error *err);
-/* That method's name; set gets the settings that differ from its defaults, as for kit_method_set. NULL for NOTHING. */
+/* Returns that method's name; NULL for NOTHING. set gets what differs from its defaults, for kit_method_set. */
 const char *kit_plan_text(char set[256], const ssgi_plan *plan, int wanted);
-/* A picture's error as plans define it, over pixels that show a surface and whose ground truth is known (not NAN): RMSE
-   of Y; or of irradiance, or of irradiance and bounce, over their mean. */
+/* Returns an image's error as plans define it, over pixels that show a surface and whose ground truth is known (not
+   NAN): the RMSE of Y; or that of irradiance, or of irradiance and bounce, over their mean. */
 double kit_plan_error(const kit_image *picture, const kit_image *truth, const kit_image *frame, int wanted);
-/* Turns ambient visibility (channel Y) into light (KIT_LIT_CHANNELS): the light of open surfaces, dimmed by it, except
-   for the part that is direct (NULL: none). */
+/* Turns ambient visibility (channel Y) into light (KIT_LIT_CHANNELS): the light of open surfaces times visibility,
+   except for direct, which is not dimmed (NULL: none). */
 int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err);
-/* The same with the environment's light on open surfaces, dimmed, and the lights with their shadows. */
+/* Turns ambient visibility into light: the environment's on open surfaces, dimmed, and lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
 
 /* ---- >>passes ----------------------------------------------------------------------------------------------- */
@@ -465,11 +464,11 @@ int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);
 /* Binds the samplers and block of a program that has the rows of a pass. */
 void   kit_pass_bind(GLuint program, const ssgi_gl_io *io, int rows);
-/* Gives a pass the rows of its desc, and a program if it has none. */
+/* Sets a pass's table of inputs and outputs by its desc, and links its program if it has none. */
 int    kit_pass_make(kit_pass *pass, kit_error *err);
 int    kit_dialect(void);
-/* SSGI_GL_COMPUTE_ALL if KIT_COMPUTE is in the environment, _BASIC if it is "BASIC", and the context is desktop GL:
-   gathers and filters, except those of surfels and fields, are then compute stages. */
+/* Returns SSGI_GL_COMPUTE_ALL if KIT_COMPUTE is in the environment, or SSGI_GL_COMPUTE_BASIC if it is "BASIC", and the
+   context is desktop GL: gathers and filters, except those of surfels and fields, are then compute stages. */
 int    kit_compute(void);
 
 #endif

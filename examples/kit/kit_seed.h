@@ -6,9 +6,9 @@
 
 #include "kit/kit_build.h"
 
-/* ---- >>plot: the ground that a scene is built on --------------------------------------------------------------- */
+/* ---- >>plot: what a scene is built in --------------------------------------------------------------- */
 
-/* A thing that the camera may look at: a ball around it. */
+/* A thing that the camera may look at: a ball with centre at and radius reach. */
 typedef struct kit_sight { double at[3], reach; } kit_sight;
 
 enum { KIT_SIGHTS = 64, KIT_LAMPS = 8 };
@@ -21,14 +21,14 @@ typedef struct kit_plot {
     double     ground[8];                  /* the numbers of the row GROUND; the fifth is the seed of its noise */
     int        sights, lamps;
     kit_sight  sight[KIT_SIGHTS];
-    double     lamp[KIT_LAMPS][3];         /* where point lights may hang */
+    double     lamp[KIT_LAMPS][3];         /* places for point lights */
 } kit_plot;
 
-/* The ground's height there: 0 if no row makes a ground. */
+/* Returns the ground's height there; 0 if no row makes a ground. */
 double kit_ground_at(const kit_plot *p, double x, double z);
 
-/* Sets the camera and the radius of the finished scene: seed chooses the direction of view and the radius as a part of
-   the picture's height. -1: no memory. */
+/* Sets the camera and the radius of the finished scene; seed chooses the direction of view and the radius as a share of
+   the image's height. Returns -1 if there is no memory. */
 int    kit_look(kit_scene *s, kit_plot *p, unsigned seed);
 
 /* ---- >>rows ---------------------------------------------------------------------------------------------------- */
@@ -59,26 +59,26 @@ typedef struct kit_row {
 
 enum {
     THING,
-    PUT,                                   /* a thing that is an object of its own, and one to look at */
+    PUT,                                   /* a thing that is an object of its own; the camera may look at it */
     PART,                                  /* a thing that is part of the enclosing thing's object */
-    MODEL,                                 /* a model of the catalogue: an object of its own, and one to look at */
+    MODEL,                               /* a model of the catalogue: an object of its own; the camera may look at it */
     /* shapes */
-    BOX,                                   /* x0 y0 z0 x1 y1 z1 bevel */
-    ROD,                                   /* x0 y0 z0 x1 y1 z1 radius around */
-    TURNED,                                /* r y r y ..: radii and heights of a profile about y, from below upwards */
-    BALL,                                  /* x y z rx ry rz cells */
-    CUSHION,                               /* x y z, half sides, round 0 .. 1, cells */
-    RING,                                  /* x y z radius, tube radius: a lying ring */
-    WIRE,                                  /* x0 y0 z0 x1 y1 z1 sag radius */
-    PRISM,                                 /* height x z x z ..: a convex outline, counter-clockwise seen from above */
-    LEAF,                                  /* width length bend cells pointed: a sheet along z */
-    PANE,                                  /* x0 y0 z0 x1 y1 z1: a flat sheet between two corners, upright or level */
-    CLOTH,                                 /* width height waves depth: a hanging sheet, folded */
-    ROCK,                                  /* rx ry rz rough cells facets */
+    BOX,                                   /* numbers: x0 y0 z0 x1 y1 z1 bevel */
+    ROD,                                   /* numbers: x0 y0 z0 x1 y1 z1 radius, sides around */
+    TURNED,                        /* numbers: r y r y .., radii and heights of a profile about y, from below upwards */
+    BALL,                                  /* numbers: x y z of the centre, radii rx ry rz, cells */
+    CUSHION,                               /* numbers: x y z, half sides, round from 0 to 1, cells */
+    RING,                                  /* numbers: x y z radius, tube radius; a lying ring */
+    WIRE,                                  /* numbers: x0 y0 z0 x1 y1 z1 sag radius */
+    PRISM,                         /* numbers: height x z x z .., a convex outline, counter-clockwise seen from above */
+    LEAF,                                  /* numbers: width length bend cells pointed; a sheet along z */
+    PANE,                           /* numbers: x0 y0 z0 x1 y1 z1; a flat sheet between two corners, upright or level */
+    CLOTH,                                 /* numbers: width height waves depth; a hanging sheet, folded */
+    ROCK,                                  /* numbers: radii rx ry rz, roughness, cells, flat facets or not */
     /* properties of the scene */
-    GROUND,                                /* x0 z0 x1 z1 cells height width octaves: noise; height 0: flat */
+    GROUND,                               /* numbers: x0 z0 x1 z1 cells height width octaves of noise; height 0: flat */
     LAMP,                                  /* x y z */
-    STAND,                                 /* x0 z0 x1 z1: where the eye may be */
+    STAND,                                 /* numbers: x0 z0 x1 z1, the rectangle in which the eye may be */
     CEILING,                               /* height */
     SIGHT                                  /* x y z reach */
 };
@@ -86,8 +86,8 @@ enum {
 /* Builds a thing of the tables at the origin, with chances by seed. err must be empty; it gets the fault: a row that
    cannot be read, with its name; a model whose package is missing; no memory. */
 void   kit_build_thing(kit_plot *p, const char *thing, uint32_t seed, kit_error *err);
-/* A model of the catalogue on a floor, scaled to half a diagonal of 1, the size that camera placement expects; seed:
-   for the things to look at. Returns that 1 in metres; 0: err says the fault. */
+/* Adds a model of the catalogue on a floor, scaled to half a diagonal of 1, the size that camera placement expects;
+   seed chooses the points to look at. Returns the length of that 1 in metres; 0: err names the fault. */
 double kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *err);
 /* Tables of rows; each ends with a row without a name. */
 extern const kit_row kit_rows_shared[], kit_rows_rooms[], kit_rows_streets[], kit_rows_halls[], kit_rows_foliage[],
@@ -95,8 +95,8 @@ extern const kit_row kit_rows_shared[], kit_rows_rooms[], kit_rows_streets[], ki
 
 /* ---- >>models -------------------------------------------------------------------------------------------------- */
 
-/* A model of a package, "armchair3" or "scopia/armchair3", unscaled: upright, on y = 0, its middle on the axis, in
-   metres. Models in archives are unpacked once into the user's cache folder. */
+/* Reads a model of a package, "armchair3" or "scopia/armchair3", unscaled: upright, on y = 0, its middle on the y axis,
+   in metres. Models in archives are unpacked once into the user's cache folder. */
 int    kit_catalogue_read(kit_mesh *mesh, const char *name, int length, kit_error *err);
 int    kit_catalogue_has(const char *name, int length);
 

@@ -29,7 +29,7 @@ static unsigned char *png_deflate(unsigned char *data, int size, int *packed, in
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif
 #define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG                      /* for textures, and for tests that read written files back */
+#define STBI_ONLY_PNG                      /* PNG is read for textures, and for tests that read written files back */
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
@@ -46,7 +46,7 @@ static unsigned char *png_deflate(unsigned char *data, int size, int *packed, in
 
 static void png_append(void *user, void *data, int size)
 {
-    kit_memory_file *file = user;              /* stb calls this once, with the whole file */
+    kit_memory_file *file = user;              /* stb calls this function once, with the whole file */
     file->data = malloc((size_t)size);
     if (!file->data) return;
     memcpy(file->data, data, (size_t)size);

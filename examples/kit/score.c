@@ -1,4 +1,4 @@
-/* score.c - compares pictures: scores, colours of differences. Declared in kit.h. */
+/* score.c - compares images: scores, colours of differences. Declared in kit.h. */
 #include "kit/kit_image.h"
 #include <math.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ typedef struct ssim_job {
     const float *a, *b, *mask;
     int          width, height;
     double       gauss[11];
-    /* one a row; summed in order, so that the result does not depend on the number of threads */
+    /* one sum a row; added in order, so that the result does not depend on the number of threads */
     double      *sum;
     int         *count;
 } ssim_job;
@@ -30,8 +30,8 @@ static int ssim_counts(const ssim_job *j, size_t i)
     return (!j->mask || j->mask[i] > 0) && isfinite(j->a[i]) && isfinite(j->b[i]);
 }
 
-/* SSIM [Wang et al. 2004] of one row on [0,1] data. The 11 x 11 window is separable. Its weights are divided by their
-   sum over the pixels that count, for borders and gaps. Strips are so short that their columns' sums fit the stack. */
+/* Computes the SSIM [Wang et al. 2004] of a row of [0,1] data. The 11 x 11 window is separable. Its weights are divided
+   by their sum over the pixels that count, for borders and gaps. Short strips let their columns' sums fit the stack. */
 static void ssim_row(void *context, int y)
 {
     enum { STRIP = 256, REACH = 5, SUMS = 6 };
@@ -39,7 +39,7 @@ static void ssim_row(void *context, int y)
     ssim_job *j = context;
     int known = 0;
     while (known < j->width && !ssim_counts(j, (size_t)y * (size_t)j->width + (size_t)known)) ++known;
-    if (known == j->width) return;                   /* for example, most rows of a ground truth with a stride */
+    if (known == j->width) return;          /* as in most rows of a ground truth with a stride, where no pixel counts */
     for (int x0 = 0; x0 < j->width; x0 += STRIP) {
         double column[STRIP + 2 * REACH][SUMS] = {{0}};
         int x1 = x0 + STRIP < j->width ? x0 + STRIP : j->width;
@@ -63,8 +63,8 @@ static void ssim_row(void *context, int y)
     }
 }
 
-/* The smallest of the n values such that at least share * n of them do not exceed it. The bits of positive floats have
-   the order of the floats, so two histograms, each of half the bits, find it exactly. */
+/* Returns the smallest of the n values such that at least share * n of them do not exceed it. The bits of positive
+   floats have the order of the floats, so two histograms, each of half the bits, find it exactly. */
 static float quantile(const float *values, size_t n, double share, size_t *histogram)
 {
     size_t   below = 0, rank = (size_t)ceil(share * (double)n);
@@ -146,8 +146,8 @@ int kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b,
     return 0;
 }
 
-/* Straight lines in Oklab, so that equal differences look equally different: from near-white (L 0.96) to blue and red
-   of the same lightness (0.50) and chroma (0.20), hues 262 and 27 degrees. As sRGB values, for a PNG with srgb 0. */
+/* Colours are straight lines in Oklab, so that equal differences look equally different: from near-white (L 0.96) to
+   blue and red of the same lightness (0.50) and chroma (0.20), hues 262 and 27 degrees. In sRGB. */
 int kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range,
                          kit_error *err)
 {

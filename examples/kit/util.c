@@ -1,4 +1,4 @@
-/* util.c - errors, progress, threads, whole files, JSON. */
+/* util.c - errors, progress, threads, whole files, JSON. Declared in kit.h. */
 #include "kit/kit.h"
 #include "ssgi.h"
 
@@ -19,12 +19,12 @@
 int kit_fail(kit_error *err, const char *format, ...)
 {
     if (!err) return -1;
-    kit_error line;                        /* an argument may point into *err */
+    kit_error line;                        /* a copy, because an argument may point into *err */
     va_list args;
     va_start(args, format);
     vsnprintf(line.text, sizeof line.text, format, args);
     va_end(args);
-    for (char *p = line.text; *p; ++p)     /* file names and library messages can hold line ends */
+    for (char *p = line.text; *p; ++p)     /* line ends become blanks: file names and library messages can hold some */
         if ((unsigned char)*p < ' ' || *p == 127) *p = ' ';
     *err = line;
     return -1;
@@ -33,7 +33,7 @@ int kit_fail(kit_error *err, const char *format, ...)
 void kit_streams_open(void)
 {
     for (int i = 0; i < 3; ++i)
-        /* open() takes the lowest free one, which is i */
+        /* open() returns the lowest free descriptor, which is i */
         if (fcntl(i, F_GETFD) < 0) (void)!open("/dev/null", i ? O_RDONLY : O_WRONLY);
     signal(SIGXFSZ, SIG_IGN);
 }
@@ -87,7 +87,7 @@ void kit_progress(const char *what, double fraction)
 {
     static double started, drawn;
     static int shown;
-    static char running[128];                  /* the outermost activity; inner ones do not restart its clock */
+    static char running[128];                  /* name of the outermost activity; inner ones do not restart its clock */
     if (!isatty(STDERR_FILENO) || (*running && *what && strcmp(what, running))) return;
     snprintf(running, sizeof running, "%s", fraction >= 1 ? "" : what);
     double now = kit_seconds();
@@ -96,7 +96,7 @@ void kit_progress(const char *what, double fraction)
         shown = 0;
         return;
     }
-    if (fraction <= 0) started = drawn = now; /* first redraw after 0.1 s: short jobs stay quiet */
+    if (fraction <= 0) started = drawn = now; /* drawn first after 0.1 s, so that short jobs stay quiet */
     if (now - drawn < 0.1) return;
     drawn = now;
     shown = 1;
@@ -108,12 +108,12 @@ void kit_progress(const char *what, double fraction)
 
 typedef struct parallel {
     int count, block;
-    atomic_int next;                        /* may exceed count by one block a thread */
+    atomic_int next;                        /* index of the next job; may exceed count by one block a thread */
     void (*job)(void *context, int i);
     void *context;
 } parallel;
 
-static int parallel_block(parallel *p)     /* 0 if no block is left */
+static int parallel_block(parallel *p)     /* returns 0 if no block is left */
 {
     int first = atomic_fetch_add(&p->next, p->block);
     if (first >= p->count) return 0;
@@ -135,7 +135,7 @@ void kit_parallel(const char *what, int count, void (*job)(void *context, int i)
     long wanted = text && atoi(text) > 0 ? atoi(text) : sysconf(_SC_NPROCESSORS_ONLN);
     int threads = wanted < 1 ? 1 : wanted > MOST ? MOST : (int)wanted;
     parallel p = { .count = count, .job = job, .context = context };
-    p.block = count / (32 * threads);      /* small enough to balance unequal jobs */
+    p.block = count / (32 * threads);      /* jobs a block: small enough to balance unequal jobs */
     if (p.block < 1) p.block = 1;
     atomic_init(&p.next, 0);
 
@@ -154,7 +154,7 @@ FILE *kit_file_open(size_t *size, const char *path, kit_error *err)
 {
     struct stat status;
     FILE *stream = NULL;
-    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);            /* does not wait if it is a pipe */
+    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);      /* O_NONBLOCK: does not wait if it is a pipe */
     if (file < 0 || fstat(file, &status)) kit_fail(err, "%s: cannot be read: %s", path, strerror(errno));
     else if (S_ISDIR(status.st_mode)) kit_fail(err, "%s: is a directory, not a file", path);
     else if (!S_ISREG(status.st_mode)) kit_fail(err, "%s: is not a regular file", path);
@@ -184,7 +184,7 @@ int kit_file_read(char **data, size_t *size, const char *path, kit_error *err)
     return 0;
 }
 
-/* The target of a path, through links, even if it does not exist yet. NULL: errno says why. */
+/* Returns the target of a path, through links, even if it does not exist yet. NULL: errno names the reason. */
 static char *led_to(const char *path)
 {
     enum { MOST_LINKS = 40 };
@@ -220,7 +220,7 @@ static int part_open(char *part, int folder, const char *base, mode_t mode)
     do {
         snprintf(part, PART_NAME, "%.*s.%ld-%u.part", kept, base, (long)getpid(), atomic_fetch_add(&parts, 1));
         file = openat(folder, part, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    } while (file < 0 && errno == EEXIST);     /* left by a killed program */
+    } while (file < 0 && errno == EEXIST);     /* a killed program may have left such a file */
     return file;
 }
 
@@ -235,7 +235,7 @@ static int write_all(int file, const char *data, size_t size)
     return 0;
 }
 
-/* Writes a temporary file, then renames it; 0, or errno. was: the file that it replaces, or NULL. */
+/* Writes a temporary file, then renames it; returns 0, or errno. was: the file that it replaces, or NULL. */
 static int replace(int folder, const char *base, const struct stat *was, const void *data, size_t size)
 {
     char part[PART_NAME];
@@ -243,7 +243,7 @@ static int replace(int folder, const char *base, const struct stat *was, const v
     if (file < 0) return errno;
     int failed = write_all(file, data, size);
     if (was) {
-        /* may be refused; the mode is then within the old file's */
+        /* the system may refuse a change of owner; the file's mode is then no wider than the old one's */
         (void)!fchown(file, was->st_uid, was->st_gid);
         (void)!fchmod(file, was->st_mode & 0777);
     }
@@ -289,8 +289,8 @@ int kit_file_write(const char *path, const void *data, size_t size, kit_error *e
 
 /* ---- JSON --------------------------------------------------------------------------------------------------- */
 
-/* The number of bytes of the UTF-8 character at s, 0 if it is invalid: a longer form of a shorter one, half of a UTF-16
-   pair, or above U+10FFFF (the Unicode standard's table 3-7). */
+/* Returns the number of bytes of the UTF-8 character at s, 0 if it is invalid: a longer form of a shorter one, half of
+   a UTF-16 pair, or above U+10FFFF (the Unicode standard's table 3-7). */
 static int utf8_length(const unsigned char *s)
 {
     static const struct { unsigned char first, last, low, high; int length; } forms[] = {

@@ -1,4 +1,4 @@
-/* arguments.c - the command line. Options have the names and values of build/render's if it has them, too. */
+/* arguments.c - parses the command line. An option that build/render has, too, has the same name and values. */
 #include "viewer.h"
 #include <math.h>
 #include <stdio.h>
@@ -109,7 +109,7 @@ static int take_scale(viewer *v, const char *name, const char *value)
     return must(v, !between(value, 0.1, 1, &v->pace.fixed), name, value, "be auto or a number in 0.1..1");
 }
 
-/* An option whose value is numbers, each within its limits. */
+/* Takes an option whose value is one or more numbers, each within its limits. */
 static int take_number(viewer *v, asked *to, const char *name, const char *value)
 {
     const struct {
@@ -180,7 +180,7 @@ static int option(viewer *v, asked *to, const char *name, const char *value)
     return take_number(v, to, name, value);
 }
 
-/* An option without a value. */
+/* Takes an option without a value. */
 static int alone(viewer *v, asked *to, const char *name)
 {
     if (!strcmp(name, "--help") || !strcmp(name, "-h")) to->help = 1;

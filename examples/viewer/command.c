@@ -1,4 +1,4 @@
-/* command.c - a command line of build/render that draws the picture of the left half. */
+/* command.c - writes the command line of build/render that draws the image of the left half. */
 #include "viewer.h"
 #include <stdarg.h>
 #include <stdio.h>
@@ -42,7 +42,7 @@ static void add_numbers(line *l, const char *before, const float v[3])
     add(l, "%s%.9g,%.9g,%.9g", before, (double)v[0], (double)v[1], (double)v[2]);
 }
 
-/* Adds a place, in the scene's own coordinates. */
+/* Adds a point, in the coordinates of the scene's file. */
 static void add_place(line *l, const viewer *v, const char *before, const float at[3])
 {
     const double *origin = v->scene.mesh.origin;

@@ -9,7 +9,7 @@
 
 static const char screen_vs[] =
     "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }\n";
-static const char resolve_fs[] = /* visibility; or albedo * (light + bounce), less what both contain */
+static const char resolve_fs[] = /* draws visibility; or albedo * (light + bounce), less what both contain */
     "uniform sampler2D light, bounce, joint, albedo, depth;\n"
     "uniform int lit, margin; uniform float farthest;\n"
     "out vec4 o;\n"
@@ -22,8 +22,8 @@ static const char resolve_fs[] = /* visibility; or albedo * (light + bounce), le
     "    vec3 sent = seen ? texelFetch(albedo, p, 0).rgb * l : vec3(0.0);\n"
     "    o = vec4(lit < 0 ? texelFetch(light, p, 0).xxx : sent, seen);\n"
     "}\n";
-/* kind 0: visibility; 1: visibility times colours; 2: radiance, before the environment. ray: of a pixel, in view
-   space. */
+/* Draws a half into the window. kind 0: visibility; 1: visibility times colours; 2: radiance, without the environment.
+   ray: of a pixel, in view space. */
 static const char display_fs[] =
     "uniform sampler2D half0, half1, albedo, sky;\n"
     "uniform vec4 ray, window; uniform mat3 to_world; uniform float split, behind, part;\n"
@@ -98,7 +98,7 @@ void draw_close(viewer *v)
 
 /* ---- >>frame ----------------------------------------------------------------------------------------------------- */
 
-/* Replaces a picture to draw into by one of another size. */
+/* Replaces a texture that is drawn into by one of another size. */
 static void renew(GLuint *picture, GLuint *framebuffer, const int size[2])
 {
     if (*picture) glDeleteTextures(1, picture);
@@ -112,7 +112,7 @@ static void renew(GLuint *picture, GLuint *framebuffer, const int size[2])
 
 static int drawn(const viewer *v, int i) { return (!i || v->split_on) && !v->side[i].truth; }
 
-/* Sets the size of pictures to the window's, or less. 1: it has changed. */
+/* Fits the size of both halves' textures to the window, or a share of it. Returns 1 if it has changed. */
 static int fit(viewer *v)
 {
     int size[2];
@@ -127,7 +127,7 @@ static int fit(viewer *v)
     return 1;
 }
 
-/* Draws a half's result into its picture. */
+/* Draws a half's result into its texture. */
 static void resolve(const viewer *v, const side *s)
 {
     const kit_run *run = s->frames.now;
@@ -175,11 +175,11 @@ static int side_draw(viewer *v, side *s, int opens)
     return 0;
 }
 
-/* Whether frames are averaged. Not beside the ground truth: that is of the pixels' centres, and so must be the
-   picture. */
+/* Returns whether frames are averaged. Not beside the ground truth: that is traced at the pixels' centres, and so the
+   image must be drawn there. */
 static int averages(const viewer *v) { return v->pace.still && !v->error && !(v->split_on && v->side[1].truth); }
 
-/* Draws both halves. Their runs use the last frame's G-buffer until they have moved on to this one's. */
+/* Draws both halves. Their runs refer to the last frame's G-buffer until they have opened this frame's. */
 static int draw_sides(viewer *v, int opens)
 {
     kit_gbuffer *next = v->seen == &v->gbuffer[0] ? &v->gbuffer[1] : &v->gbuffer[0];
@@ -204,7 +204,7 @@ static int draw_sides(viewer *v, int opens)
 
 /* ---- >>window ---------------------------------------------------------------------------------------------------- */
 
-/* The environment as a texture, shown behind the scene. */
+/* Returns the texture of the environment, which is shown behind the scene. */
 static GLuint sky_of(viewer *v)
 {
     const kit_image *env = &v->light.now.env;
@@ -217,7 +217,7 @@ static GLuint sky_of(viewer *v)
     return v->light.texture;
 }
 
-/* Sets the direction of each pixel's ray. */
+/* Sets the uniforms from which a shader computes each pixel's ray. */
 static void aim(const viewer *v, GLuint program, int sky)
 {
     const float *p = v->seen->projection, width = (float)v->size[0], height = (float)v->size[1];
@@ -236,7 +236,7 @@ static int kind_of(const viewer *v, const side *s)
     return (s->truth ? v->truth.method.lit : s->method.lit) ? 2 : v->colours;
 }
 
-/* Shows both halves; part: their weight over the framebuffer's content. */
+/* Shows both halves in a framebuffer; part: the weight of the new image over the framebuffer's old content. */
 static void show(viewer *v, GLuint framebuffer, float part)
 {
     const side *s = v->side, *right = v->split_on ? &s[1] : s;
@@ -258,7 +258,7 @@ static void show(viewer *v, GLuint framebuffer, float part)
     glActiveTexture(GL_TEXTURE0);
 }
 
-/* A new picture may hold NaN, so the first frame of a mean is not blended. */
+/* Adds a frame to the mean. Its first frame is not blended, because a new texture may hold NaN. */
 static void add_to_mean(viewer *v)
 {
     if (v->mean) glEnable(GL_BLEND);
@@ -283,13 +283,13 @@ static void show_mean(const viewer *v)
 
 /* ---- >>next ---------------------------------------------------------------------------------------------------- */
 
-/* After a choice of the user, the first frame compiles, and the next two measure the time of a frame. */
+/* Returns whether a frame is drawn in full. After a choice of the user one frame compiles, and two measure the time. */
 static int opens_again(const viewer *v)
 {
     return v->moved || v->restart || !v->seen || averages(v) || (v->pace.opened < (v->pace.still ? 1 : 3) && !v->shot);
 }
 
-/* Whether another frame of the same size would look the same. */
+/* Returns whether another frame of the same size would look the same. */
 static int drawn_enough(const viewer *v)
 {
     int more = opens_again(v);
@@ -304,7 +304,7 @@ int draw_settled(const viewer *v)
     return drawn_enough(v) && pace_waits(&v->pace);
 }
 
-/* Whether a shown method uses surfels. */
+/* Returns whether a shown method uses surfels. */
 static int of_surfels(const viewer *v)
 {
     int found = 0;

@@ -1,4 +1,4 @@
-/* input.c - events of the window: keys, mouse, dropped files. */
+/* input.c - handles the window's events: keys, mouse, dropped files. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
 #include <math.h>
@@ -95,8 +95,8 @@ void input_open(viewer *v)
     glfwSetFramebufferSizeCallback(v->window, on_size);
 }
 
-/* Moves the camera by --orbit a frame, or one turn in 20 seconds; and the object on a circle of four radii's diameter
-   in 4 seconds. */
+/* Turns the camera by --orbit a frame, or once in 20 seconds; and moves the sliding object on a circle of four radii's
+   diameter in 4 seconds. */
 void input_move(viewer *v, double seconds)
 {
     const double turn = (v->frame ? v->orbit : 0) + (v->circles ? 18 * seconds : 0);

@@ -1,4 +1,4 @@
-/* keys.c - the effects of keys, and their table. */
+/* keys.c - a table of keys, and the functions that they call. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
 #include <math.h>
@@ -15,7 +15,7 @@ static int methods(void)
     return count;
 }
 
-/* Changes the method by so many in the list; the right half may have the ground truth, after the last method. */
+/* Moves along the list of methods by `by`; for the right half the ground truth comes after the last method. */
 static void method(press p)
 {
     viewer *v = p.v;
@@ -58,7 +58,7 @@ static void next_value(press p)
         return;
     }
     const int next = (int)s.value + 1 > (int)s.most ? (int)s.least : (int)s.value + 1;
-    snprintf(text, sizeof text, "%s=%d", name, next);       /* a choice also takes the number of its word */
+    snprintf(text, sizeof text, "%s=%d", name, next);       /* kit_method_set takes the number of a word, too */
     wish_both(v, text);
 }
 

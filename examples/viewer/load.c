@@ -1,4 +1,4 @@
-/* load.c - opens scenes and their light by the kit; they replace the old ones only if all could be read. */
+/* load.c - opens scenes and lights by the kit. They replace the present ones only if all could be read. */
 #include "viewer.h"
 #include <math.h>
 #include <stdio.h>
@@ -6,7 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* The sun of scenes that have no light, if the user asks for none. */
+/* sun of scenes that have no light of their own, unless the user chooses one */
 static const kit_light noon = { KIT_SUN, { 0.6536847f, 0.3813161f, 0.6536847f }, { 1.8f, 1.5f, 1.1f } };
 static const char *const env_of_scenes = "sky";
 static const double strength_of_scenes = 0.7;
@@ -71,7 +71,7 @@ int env_open(viewer *v, const char *name)
     return 0;
 }
 
-/* Sets a scene's own light, or a sky with a sun. */
+/* Sets a scene's own light or, if it has none, a sky with a sun. */
 static int light_of(viewer *v, const kit_scene *scene)
 {
     const int own = scene->env || scene->lights;
@@ -95,7 +95,7 @@ int scene_open(viewer *v, const char *name)
         return -1;
     }
     truth_stop(&v->truth);
-    for (int i = 0; i < v->light.now.lights && v->light.asked; ++i) /* the user's lights stay in place */
+    for (int i = 0; i < v->light.now.lights && v->light.asked; ++i) /* the user's lights do not move with the origin */
         for (int k = 0; k < 3 && v->light.now.light[i].kind == KIT_POINT; ++k)
             v->light.now.light[i].at[k] += (float)(v->scene.mesh.origin[k] - scene.mesh.origin[k]);
     draw_forget(v);

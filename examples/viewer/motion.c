@@ -1,5 +1,5 @@
-/* motion.c - the motion of the sliding object since the last frame, as a texture of the G-buffer, by which history
-   follows it. Declared in viewer.h. */
+/* motion.c - draws the motion of the sliding object since the last frame into a texture of the G-buffer, which history
+   reads. Declared in viewer.h. */
 #include "viewer.h"
 #include "kit/kit_run.h"
 
@@ -33,7 +33,7 @@ int motion_open(viewer *v)
     return 0;
 }
 
-/* The matrix from one rigid view space to another, and a world-space direction in the latter. */
+/* Writes the matrix from one rigid view space to another, and a world-space direction in the latter. */
 static void relate(float to[16], float by[3], const float from[16], const float into[16], const float world[3])
 {
     float back[16] = { [15] = 1 };

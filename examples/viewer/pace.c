@@ -1,6 +1,6 @@
-/* pace.c - chooses the size of frames by their time. While the view moves, a frame takes at most a quarter of a second;
-   once it has stayed a while, the size is the window's, however long that takes. If surfels are too slow at the least
-   size, they are coarser while the view moves. */
+/* pace.c - chooses the size of frames by the time that they take. While the view moves, a frame takes at most a quarter
+   of a second; once it has been still for a while, the size is the window's, however long that takes. If surfels are
+   too slow at the least size, they are coarser while the view moves. */
 #include "viewer.h"
 #include <math.h>
 
@@ -9,13 +9,13 @@ static const double shares[] = { 1,      0.875, 0.75,    0.625,  0.5,     0.4375
 
 enum { SHARES = (int)(sizeof shares / sizeof *shares), COARSEST = 3 };
 
-/* Between these two times the size stays, so that it does not oscillate. */
+/* a frame's milliseconds between which the size stays, so that it does not oscillate */
 static const double most_ms = 250, wanted_ms = 220;
 static const double rest_seconds = 0.4;
 
 double pace_share(const pace *p) { return p->fixed > 0 ? p->fixed : p->still ? 1 : shares[p->level]; }
 
-/* Pictures are at least 90 pixels high: less would show nothing. */
+/* Sets the size of images, which are at least 90 pixels high: less would show nothing. */
 void pace_size(pace *p, const int window[2], int size[2])
 {
     p->lowest = 0;
@@ -24,7 +24,7 @@ void pace_size(pace *p, const int window[2], int size[2])
     for (int k = 0; k < 2; ++k) size[k] = (int)fmax(8, floor(pace_share(p) * window[k] + 0.5));
 }
 
-/* If the CPU draws, starts at a size whose first frame does not take seconds. */
+/* Begins at a size whose first frame does not take seconds, if the CPU draws. */
 void pace_begin(pace *p, const int window[2], int software)
 {
     p->level = 0;
@@ -33,7 +33,7 @@ void pace_begin(pace *p, const int window[2], int software)
         ++p->level;
 }
 
-/* The level with the largest size whose time, predicted by its pixels, is at most wanted_ms. */
+/* Returns the index of the largest share whose time, predicted by its pixels, is at most wanted_ms. */
 static int level_of(const pace *p, double ms)
 {
     int level = p->level;
@@ -42,7 +42,7 @@ static int level_of(const pace *p, double ms)
     return level;
 }
 
-/* The factor by which surfels are widened. */
+/* Returns the factor by which surfels are widened now, to be fewer. */
 double pace_coarse(const pace *p) { return p->still || p->fixed > 0 ? 1 : 1 << p->coarse; }
 
 int pace_took(pace *p, double ms, int surfels)

@@ -1,4 +1,4 @@
-/* panel.c - text over the picture: the methods, their passes with times, the last action, the keys. */
+/* panel.c - draws text over the image: the methods, their passes with times, the last action, the keys. */
 #include "viewer.h"
 #include <math.h>
 #include <stdarg.h>
@@ -44,8 +44,8 @@ typedef struct corner {
     unsigned char colour[4];
 } corner; /* stb_easy_font's */
 
-/* Makes quads of four corners of a text and returns their number. A tab continues at the next stop; size: of the box
-   around all. */
+/* Makes quads of four corners for a text's characters and returns their number. A tab continues at the next tab stop;
+   size: that of the box around the text. */
 static int lay_out(float size[2], corner *quads, int room, float x, float y, const char *text)
 {
     enum { STOP = 64 };
@@ -96,10 +96,10 @@ static void draw_quads(viewer *v, const corner *quads, int count, const float co
     kit_soup_close(&soup);
 }
 
-/* The scale of text: if possible, the list of keys fits one column. */
+/* Returns the scale of text: if possible, the list of keys fits one column. */
 static float scale_of(const viewer *v) { return v->help ? v->size[1] >= 700 ? 1.5f : 1 : v->size[1] >= 500 ? 2 : 1; }
 
-/* Prints a text at x, y, or nearer if it would leave the window; these may be arbitrarily large. Returns its end. */
+/* Prints a text at x, y, or shifted if it would leave the window; x, y may be any numbers. Returns the y above it. */
 static float print(viewer *v, float x, float y, const char *text)
 {
     static corner quads[4 * QUADS];
@@ -193,7 +193,7 @@ static void describe(char *text, size_t size, const viewer *v, const side *s)
     else if (s->frames.now) describe_passes(text, size, s->frames.now);
 }
 
-/* The scene, the size, and the settings that differ from the method's defaults. */
+/* Writes the scene, the size, and the settings that differ from the method's defaults. */
 static void describe_frame(char *text, size_t size, const viewer *v)
 {
     const double about = v->scene.mesh.triangles < 100000 ? 1 : 1e-3;
@@ -211,7 +211,7 @@ static void describe_frame(char *text, size_t size, const viewer *v)
         *set ? ", " : "", set);
 }
 
-/* The list of keys in as few columns as the window's height allows, at its left side, so that the middle stays
+/* Writes the list of keys in as few columns as the window's height allows, at its left side, so that the middle stays
    visible. */
 static void describe_keys(char *text, size_t size, const viewer *v)
 {

@@ -1,10 +1,10 @@
-/* pictures.c - reads pictures back: their error against the ground truth, PNG of the window, EXR of the left half. */
+/* pictures.c - reads images back: their error against the ground truth, PNG of the window, EXR of the left half. */
 #include "viewer.h"
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-/* Whether two methods have the same ground truth. */
+/* Returns whether two methods have the same ground truth. */
 static int of_that_kind(const kit_method *a, const kit_method *b)
 {
     return a->lit == b->lit && a->between == b->between && a->effect == b->effect

@@ -1,4 +1,4 @@
-/* settings.c - the methods of the halves, and the user's settings, which each shown method gets if it has them. */
+/* settings.c - sets the methods of both halves, and the user's settings in each shown method that has them. */
 #include "viewer.h"
 #include <stdio.h>
 #include <string.h>

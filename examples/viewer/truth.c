@@ -1,13 +1,13 @@
-/* truth.c - the ground truth, ray-traced by the kit in a thread beside the drawing, 1/64 of the pixels at a time. */
+/* truth.c - ray-traces the ground truth by the kit in a thread beside the drawing, 1/64 of the pixels at a time. */
 #include "viewer.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Pixel (i, j) of each 8 x 8 block, as a camera. The kit skips pixels cheaply by stride 8, and shift selects the pixel
-   that it does not skip. The picture's sides are rounded up to multiples of 8; pixels keep their size. A pixel's rays
-   depend on its number. Unused columns on the right and rows above give each (i, j) other numbers, else 8 x 8 pixels
-   would share their noise. */
+/* Returns a camera for pixel (i, j) of each 8 x 8 block. The kit skips pixels cheaply by stride 8, and shift selects
+   the pixel that it does not skip. The image's sides are rounded up to multiples of 8; pixels keep their size. A
+   pixel's rays depend on its number. Unused columns on the right and rows above give each (i, j) other numbers, else 8
+   x 8 pixels would share their noise. */
 static kit_camera truth_camera(const kit_camera *c, int i, int j)
 {
     kit_camera to = *c;
@@ -20,8 +20,8 @@ static kit_camera truth_camera(const kit_camera *c, int i, int j)
     return to;
 }
 
-/* Adds traced pixels to the picture; in the first round also to unknown pixels around them, so that all shows at
-   once. */
+/* Adds traced pixels to the ground truth; in the first round also to unknown pixels around them, so that a whole image
+   shows at once. */
 static void truth_add(truth *t, const kit_image *traced, int rays, int k, int i, int j)
 {
     const int lit = t->method.lit, above = 8 * j;
@@ -82,7 +82,7 @@ static void *truth_thread(void *context)
     return NULL;
 }
 
-/* Only this thread writes the request, so it may read the request without the lock. */
+/* Returns whether the request stays. Only this thread writes the request, so it may read it without the lock. */
 static int same(const truth *t, const kit_camera *camera, const kit_method *method, float radius)
 {
     return !memcmp(&t->camera, camera, sizeof *camera) && t->radius == radius && t->method.number == method->number

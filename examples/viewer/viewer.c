@@ -39,7 +39,7 @@ static int open_methods(viewer *v, const asked *to)
     return 0;
 }
 
-/* The scene's camera, with the options that replace parts of it. */
+/* Sets the scene's camera, with the options that replace parts of it. */
 static int open_camera(viewer *v, const asked *to)
 {
     kit_camera *c = &v->camera;
@@ -86,7 +86,7 @@ static int open_all(viewer *v, const asked *to)
 
 /* ---- >>run ------------------------------------------------------------------------------------------------------- */
 
-/* Whether the frame for --shot was drawn, and a shown ground truth has its first rays. */
+/* Returns whether the frame for --shot was drawn; shot_now also waits for rays of a shown ground truth. */
 static int shot_drawn(const viewer *v) { return v->shot && v->frame >= (unsigned)(v->frames ? v->frames : 1); }
 
 static int shot_now(const viewer *v) { return shot_drawn(v) && (!v->error || v->shown.rounds); }
@@ -102,7 +102,7 @@ static int take_shot(viewer *v)
     return window_save(v, v->shot);
 }
 
-/* Whether the next picture of the window would differ from the last. */
+/* Returns whether the next image of the window would differ from the last. */
 static int to_show(viewer *v)
 {
     const int says = panel_says(v), traced = v->error || (v->split_on && v->side[1].truth);
@@ -160,7 +160,7 @@ int main(int argc, char **argv)
     pthread_cond_init(&v.truth.wake, NULL);
     for (int i = 0; i < 2; ++i) v.side[i].error = (double)NAN;
     snprintf(cores, sizeof cores, "%ld", sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) - 1 : 1);
-    setenv("KIT_THREADS", cores, 0); /* one core stays free to draw */
+    setenv("KIT_THREADS", cores, 0); /* one core stays free for drawing */
     int failed = arguments(&v, &to, argc, argv);
     if (!failed && to.help) usage();
     else if (!failed && to.version) printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);

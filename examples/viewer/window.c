@@ -1,4 +1,4 @@
-/* window.c - the window, its context and its title. */
+/* window.c - opens the window with its context, and writes its title. */
 #include "viewer.h"
 #include <GLFW/glfw3.h>
 #include <stdio.h>
@@ -29,7 +29,7 @@ int window_open(viewer *v)
     return kit_gl_adopt(glfwGetProcAddress, &v->err);
 }
 
-/* Scene, method, size, milliseconds, frames of a mean; no more than four times a second. */
+/* Writes scene, method, size, milliseconds and number of averaged frames as title, at most 4 times a second. */
 void window_title(viewer *v)
 {
     const char *slash = strrchr(v->path, '/');

@@ -1,4 +1,4 @@
-/* baker.mjs - a worker with bake.wasm: what is made of triangles. It is sent
+/* baker.mjs - a worker that makes surfels and fields from triangles by bake.wasm. It is sent
 
       { part, position, normal }    part of the scene, nine floats a triangle; kept until another has its number
       { surfels: { id, projection, width, height, size, reach, views } }    views: to view space, of each part, or null
@@ -19,7 +19,7 @@ async function open() {
     top = c.__heap_base.value;
 }
 
-/* ---- memory: parts lie first, what a call needs behind them */
+/* ---- memory: parts of the scene come first, then the memory of a call */
 
 function room(bytes) {
     const at = Math.ceil(top / 16) * 16, lacking = at + bytes - c.memory.buffer.byteLength;
@@ -45,7 +45,7 @@ function good(result) {
     throw new Error(new TextDecoder().decode(bytes.slice(at, bytes.indexOf(0, at))));
 }
 
-/* Calls make(to, capacity), which says how many there are; again where they are more than were guessed. */
+/* Calls make(to, capacity), which returns how many elements there are; calls it again if more than expected. */
 function all(size, expected, make) {
     let at = room(size * expected), count = good(make(at, expected));
     if (count > expected) {
@@ -58,7 +58,7 @@ function all(size, expected, make) {
 
 /* ---- what is made */
 
-/* Parts lie behind one another: one that is replaced moves those behind it. */
+/* Stores a part. Parts lie in memory one after another, so all later ones move, too. */
 function take({ part, position, normal }) {
     parts[part] = { position, normal };
     top = c.__heap_base.value;

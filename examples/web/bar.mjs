@@ -3,7 +3,7 @@ import { methods, sentenceOf } from './settings.mjs';
 
 const $ = id => document.getElementById(id);
 
-/* set: the page's settings. choose(name, value), home(), save(), fit(): what the page does. */
+/* Connects buttons, keys and help. set: the page's settings. choose(name, value), home(), save(), fit(): actions. */
 export function bar(ssgi, set, { choose, home, save, fit }) {
     const turn = name => () => choose(name, !set[name]);
     const view = word => () => choose('view', word);

@@ -1,15 +1,15 @@
-/* chain.mjs - the ssgi_gl_chain that settings mean. Pure, as settings.mjs is: make web asks it which texts the page can
-   come to need in WGSL. */
+/* chain.mjs - makes the ssgi_gl_chain of the page's settings. It does not use the page, so that make web can ask it
+   which shaders the page can need in WGSL. */
 import { methods, namedChain } from './settings.mjs';
 
-/* The field that says in how many directions a gather looks. */
+/* Returns the field that counts the directions in which a gather looks for occluders: slices or directions. */
 export const countOf = ({ pass, search = 'SLICES' }) =>
     (pass === 'SSAO' || search !== 'SLICES' ? 'directions' : 'slices');
 
-/* Whether the chain adds the sun, as desc.lights shadows it, to what it gathers; else three.js does. */
+/* Returns whether a chain adds the sun, shadowed by desc.lights, to its result; else three.js draws the sun. */
 export const lightsOf = (set, name) => !!methods[name]?.light && set.sun && set.shadow !== 'HOST';
 
-/* own: with the numbers that replace the preset's. */
+/* Returns the chain of a method. own: with the panel's numbers, which replace the preset's. */
 export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, precise }) {
     const d = { ...namedChain(ssgi, name, preset).desc, dialect, normal: set.normals };
     const bounce = set.bounce && d.pass === 'SSDO';
@@ -21,7 +21,7 @@ export function chainAs(ssgi, set, name, preset, own, { dialect, width, height, 
     if (own && set.resolution !== 'preset') d.resolution = set.resolution;
     if (own && set.filter > 0) d.filter_radius = set.filter;
     const halved = d.resolution && d.resolution !== 'FULL';
-    /* half size becomes whole, light is restored, and frames are averaged where it is filtered */
+    /* the filter is also needed to upsample, to restore light and to average frames */
     const blur = +!(own && set.filter === 0 && !halved && !d.restore && !set.history);
     const lit = lightsOf(set, name), lights = { pass: 'LIGHTS', dialect, normal: set.normals, thickness: 'CONSTANT',
                                                 shadow: set.shadow };

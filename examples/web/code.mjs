@@ -1,7 +1,7 @@
-/* code.mjs - a chain of the page as C: what makes it with ssgi_gl.h, and its frame. Each enumerator's name is made of
-   the sentence that the library has of its field. */
+/* code.mjs - writes a chain of the page as C for ssgi_gl.h, with its frame. Names of enumerators are made from the
+   library's sentence about each field. */
 
-/* [field, C] of what is not 0 in a desc. */
+/* Returns the members of a desc that are not 0, as [field, its value in C]. */
 function fieldsOf(ssgi, desc) {
     return ssgi.choices.filter(({ name, values }) => name === 'pass' || (desc[name] && desc[name] !== values[0]))
         .map(({ name, field, sentence }) => {
@@ -15,7 +15,7 @@ function float(value) {
     return `${/[.e]/.test(text) ? text : `${text}.0`}f`;
 }
 
-/* Once, and whenever the size changes. */
+/* Returns the C that gets a chain's steps; a program calls it once, and again if the size changes. */
 function stepsLines(ssgi, { desc, width, height, ...members }) {
     const { lights, ...plain } = members, rest = Object.entries(plain).filter(([, value]) => value);
     return [
@@ -145,8 +145,8 @@ const sunLines = () => [
     ''
 ];
 
-/* Functions that compile as they stand. chain: as Ssgi.steps takes it. given: { radius, thickness_limit: in
-   units of the view, bands: of the harmonics that the frame has, or 0, title, surfels, fields: how they are made }. */
+/* Returns C functions that compile as they stand. chain: as Ssgi.steps takes it. given: { radius, thickness_limit: in
+   units of the view, bands: of the frame's harmonics, or 0, title, surfels, fields: their settings }. */
 export function cLines(ssgi, chain, given) {
     const { surfels, fields, radius } = given;
     return [`/* ${given.title} */`, '#include "ssgi_gl.h"', ...(surfels || fields ? ['#include <stdlib.h>'] : []), '',

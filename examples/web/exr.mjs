@@ -1,7 +1,7 @@
-/* exr.mjs - a float picture as an OpenEXR file, uncompressed: what build/render --gbuffer reads. */
+/* exr.mjs - writes a float image as an uncompressed OpenEXR file, which build/render --gbuffer reads. */
 
-/* channels: { name: Float32Array of width * height }, bottom row first, as WebGL reads back. attributes: { name: a
-   number, or a matrix's 16, in doubles as a Float64Array }: of the header, beside those that an EXR must have. */
+/* Returns the file. channels: { name: Float32Array of width * height }, bottom row first. attributes: { name: a number,
+   or a matrix's 16, in doubles as a Float64Array }: those of the header that are not required. */
 export function exr(width, height, channels, { screenWindowWidth = 1, ...attributes } = {}) {
     const names = Object.keys(channels).sort(), bytes = [], text = new TextEncoder();
     const word = (...values) => values.forEach(v => bytes.push(v & 255, v >> 8 & 255, v >> 16 & 255, v >> 24 & 255));
@@ -10,7 +10,7 @@ export function exr(width, height, channels, { screenWindowWidth = 1, ...attribu
     const attribute = (name, type, size) => { string(name); string(type); word(size); };
     word(20000630, 2);
     attribute('channels', 'chlist', 1 + names.reduce((sum, name) => sum + name.length + 17, 0));
-    for (const name of names) { string(name); word(2, 0, 1, 1); }       /* float, one sample a pixel */
+    for (const name of names) { string(name); word(2, 0, 1, 1); }      /* a channel's type: float, one sample a pixel */
     bytes.push(0);
     attribute('compression', 'compression', 1);
     bytes.push(0);
@@ -39,7 +39,7 @@ export function exr(width, height, channels, { screenWindowWidth = 1, ...attribu
     file.set(bytes);
     for (let y = 0; y < height; ++y) {
         const at = head + y * (row + 8);
-        view.setUint32(bytes.length + 8 * y, at, true);                 /* and 0 above: files below 4 GB */
+        view.setUint32(bytes.length + 8 * y, at, true);    /* the upper half of the offset is 0: files are below 4 GB */
         view.setInt32(at, y, true);
         view.setInt32(at + 4, row, true);
         names.forEach((name, c) => file.set(new Uint8Array(

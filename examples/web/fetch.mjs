@@ -1,7 +1,7 @@
-/* fetch.mjs - fetches what lies beside the page; what does not come is thrown as one sentence that names the file. */
+/* fetch.mjs - fetches a file in the page's folder; on failure it throws one sentence that names the file. */
 
-/* The place is told from here, not from the page: of an address with a newline and a < browsers fetch nothing that is
-   relative to it. */
+/* Fetches a file by its URL relative to this module, not to the page: if the page's own URL has a newline and a <,
+   browsers fetch nothing that is relative to it. */
 export async function fetchFile(path) {
     const answer = await fetch(new URL(path, import.meta.url)).catch(e => {
         throw new Error(`${path}: cannot be fetched: ${e.message}`);

@@ -1,18 +1,18 @@
-/* fields.mjs - ambient occlusion fields of what stands in the scene: of the object that moves, or of the visitor's
-   model on its ground. Baked in a worker, a coarse one first, so that something is soon seen; drawn where the object is
+/* fields.mjs - ambient occlusion fields of the scene's objects: of the moving object, or of the visitor's model on its
+   ground. A worker bakes them, first a coarse one, so that something is soon seen; they are drawn where the object is
    now. */
 import { Matrix4 } from 'three';
 
 const coarse = { resolution: 8, rays: 64 };
-const most = 2;                                     /* objects: as G-buffers number them */
+const most = 2;                                     /* objects at most, numbered as in the G-buffer */
 
 export class Fields {
     #gl; #drawer; #ssgi; #changed; #loading; #worker = null; #id = 0; #baking = null;
-    static #baked = new Map();                            /* by what is baked, how: ssgi.field() */
-    static #failed = new Set();                     /* objects of which there is none */
+    static #baked = new Map();                            /* ssgi.field() by #key: the object and its fineness */
+    static #failed = new Set();                     /* keys of objects whose bake failed */
     #shown = []; #slices = null; #rows = null;      /* [{ object, field }]; textures */
 
-    /* changed(error or null): others are there; loading(text or null, share): how far the bake is */
+    /* changed(error or null): other fields are there; loading(text or null, share): the bake's progress */
     constructor({ gl, drawer, ssgi, changed, loading }) {
         this.#gl = gl;
         this.#drawer = drawer;
@@ -24,13 +24,13 @@ export class Fields {
 
     #objects(stage) { return stage.objects().filter(({ key }) => !Fields.#failed.has(key)); }
 
-    /* Whether something can be drawn. */
+    /* Returns whether the fields of all objects can be drawn. */
     ready({ stage }) {
         return !!this.#slices
             && this.#objects(stage).every(({ key }) => this.#shown.some(({ object }) => object.key === key));
     }
 
-    /* Fields of what stands there, baked so finely. */
+    /* Asks for the fields of the scene's objects, baked at that resolution with so many rays. */
     want({ stage, resolution, rays }) {
         const objects = this.#objects(stage), best = object => this.#best(object, { resolution, rays });
         if (objects.every(object => best(object)))
@@ -38,7 +38,7 @@ export class Fields {
         const wanted = objects.map(object => ({ object, how: best(object) ? { resolution, rays } : coarse }))
             .find(({ object, how }) => !Fields.#baked.has(this.#key(object, how)));
         const key = wanted && this.#key(wanted.object, wanted.how);
-        if (this.#baking && this.#baking.key !== key) this.#stop();     /* nobody waits for it any more */
+        if (this.#baking && this.#baking.key !== key) this.#stop();     /* no object needs it any more */
         if (key && !this.#baking) this.#bake(wanted.object, wanted.how, key);
     }
     #key({ key }, { resolution, rays }) { return `${key} ${resolution} ${rays}`; }
@@ -85,7 +85,7 @@ export class Fields {
         this.#changed(null);
     }
 
-    /* Their texels, a slice a field; smaller ones stand in the lower corner. */
+    /* Uploads the fields, one in each layer; smaller ones are in a layer's lower corner. */
     #show(all) {
         const same = all.length === this.#shown.length
             && all.every(({ object, field }, i) => this.#shown[i].object.key === object.key
@@ -100,7 +100,7 @@ export class Fields {
             gl.TEXTURE_2D_ARRAY, 0, 0, 0, i, r + 2, 6 * (r + 2), 1, gl.RG_INTEGER, gl.UNSIGNED_INT, texels));
     }
 
-    /* For Run.draw: fields, and a row for each where its object stands in this view. reach: share of the baked one */
+    /* Returns the inputs for Run.draw: fields, and a row for each object in this view. reach: share of the baked one */
     given({ now, reach }) {
         const gl = this.#gl, rows = new Float32Array(40 * most), view = new Matrix4().fromArray(now.toView);
         this.#shown.forEach(({ object, field }, i) => {

@@ -1,10 +1,10 @@
-/* finishes.mjs - what covers surfaces of the page's own scenes: pictures that are drawn here, as none need be fetched.
-   Albedo is the scene's colour times these. Numbers are scenes.c's, from 1 on. */
+/* finishes.mjs - textures of surfaces in the page's own scenes. They are drawn here, so that none need be fetched. The
+   albedo is the scene's colour times the texture. scenes.c has their numbers, from 1 on. */
 import * as THREE from 'three';
 
 const size = 512;
 
-/* [metres that a picture spans, or 0: the whole face; draw(context, random from 0 to 1)] */
+/* [metres that the texture spans, or 0: the whole face; draw(context, random number from 0 to 1)] */
 const kinds = [
     [1.2, planks], [1.6, plaster], [0.8, wood], [0, rug], [0, landscape], [1.2, flagstones], [1.6, blocks]
 ];
@@ -82,7 +82,7 @@ function blocks(on, random) {
     speckle(on, random, 5000, 8, 6, 0.1);
 }
 
-/* The picture of a number, and how it lies on a triangle: metres that it spans, or 0. */
+/* Makes the texture of a number. span: the metres that it covers, or 0: the whole face. */
 export function finish(number) {
     const [span, draw] = kinds[number - 1], canvas = new OffscreenCanvas(size, size);
     let state = number;
@@ -94,14 +94,14 @@ export function finish(number) {
     return { span, map };
 }
 
-/* Places on the picture of a triangle's corners, three vectors: along its sides where these are square to each other,
-   the longer one across the picture, so that grain runs along boards; else as its wall or floor lies. */
+/* Returns the texture coordinates of a triangle's corners, three vectors. If two sides are at right angles, the axes
+   follow these, u the longer one, so that grain runs along boards; else they follow the axes of the world. */
 export function placesOf(corners, span) {
     const at = [0, 1, 2].map(i => [corners[(i + 1) % 3], corners[(i + 2) % 3]].map(c => c.clone().sub(corners[i])));
     const angle = ([a, b]) => Math.abs(a.dot(b)) / (a.length() * b.length()), square = [0, 1, 2].sort(
         (i, j) => angle(at[i]) - angle(at[j]))[0];
     let [across, up] = at[square].sort((a, b) => b.length() - a.length());
-    /* the other triangle of a face has its sides the other way round */
+    /* returns whether a side points to the negative: the other triangle of a face has opposite sides */
     const back = way => way.toArray().reduce((most, v) => (Math.abs(v) > Math.abs(most) ? v : most), 0) < 0;
     if (!span)
         return corners.map(c => [across, up].map(way => {

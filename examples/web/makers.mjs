@@ -1,5 +1,5 @@
-/* makers.mjs - what methods draw that is made of triangles beforehand: surfels, fields. Each side has its own; their
-   modules are fetched when they are first asked for. */
+/* makers.mjs - the inputs of methods that are made from triangles beforehand: surfels, fields. The left and the right
+   side have their own. The modules are fetched when they are first needed. */
 import { methods, namedChain } from './settings.mjs';
 
 const modules = { surfels: () => import('./surfels.mjs').then(m => m.Surfels),
@@ -8,13 +8,13 @@ const modules = { surfels: () => import('./surfels.mjs').then(m => m.Surfels),
 export class Makers {
     #given; #made = [{}, {}];
 
-    /* given: { gl, drawer, ssgi, loading }; changed(side, error or null): something else is there */
+    /* given: { gl, drawer, ssgi, loading }; changed(side, error or null): a side's inputs are there, or failed */
     constructor(given, changed) {
         this.#given = given;
         this.changed = changed;
     }
 
-    /* null: the method has none, or its module is on its way. */
+    /* Returns the maker of a method's inputs; null: it needs none, or the maker's module is being fetched. */
     of(side, name) {
         const { module } = methods[name] ?? {}, made = this.#made[side];
         if (!module || made[module] === 'coming') return null;
@@ -30,14 +30,14 @@ export class Makers {
         return null;
     }
 
-    /* Has made of what is shown what the side draws, or asks for it. about: what it is made of, as settings have it */
+    /* Returns whether a side's inputs are ready, and asks for them. about: scene, view and settings for them */
     ready(side, name, about) {
         if (!methods[name]?.module) return true;
         const maker = this.of(side, name);
         maker?.want(about);
         return !!maker?.ready(about);
     }
-    /* What the side no longer draws is not waited for. */
+    /* Stops makers whose inputs the side no longer draws. */
     leave(side, name) {
         for (const [module, one] of Object.entries(this.#made[side]))
             if (module !== methods[name]?.module) one.leave?.();
@@ -45,7 +45,7 @@ export class Makers {
     get busy() { return this.#made.some(all => Object.values(all).some(one => one === 'coming' || one.busy)); }
 }
 
-/* What of it is set: as the preset, or, of the left side, as the panel has it. */
+/* Returns the settings of a method's surfels or fields: the preset's or, if own (the left side), the panel's. */
 export function setOf(name, preset, set, own) {
     const { presets, module } = methods[name], is = { ...presets?.[preset] };
     if (own && module === 'surfels' && set.surfel) is.size = set.surfel / 100;
@@ -55,7 +55,7 @@ export function setOf(name, preset, set, own) {
     return is;
 }
 
-/* Their chain, as settings have it. */
+/* Returns the chain of a method that needs surfels or fields, by the page's settings. */
 export function madeChain(ssgi, name, preset, set, own, { dialect, width, height, precise }) {
     const { levels } = setOf(name, preset, set, own);
     const chain = namedChain(ssgi, name, preset);

@@ -1,6 +1,6 @@
-/* model.mjs - reads a scene of make web, or files of the visitor's: OBJ or glTF with what lies beside it, a sky as HDR
-   or EXR; and looks them over before they are shown. What cannot be shown is thrown as one sentence that names the
-   file. Readers are fetched when they are wanted. */
+/* model.mjs - reads a scene of make web, or the visitor's files: OBJ or glTF with the files that they name, a sky as
+   HDR or EXR; and checks them before they are shown. A file that cannot be shown is an error of one sentence that names
+   the file. Readers are fetched when they are first needed. */
 import * as THREE from 'three';
 import { fetchFile } from './fetch.mjs';
 import { finish, placesOf } from './finishes.mjs';
@@ -10,7 +10,7 @@ import { lambert } from './stage.mjs';
 
 function fail(sentence) { throw new Error(sentence); }
 
-/* A file of scenes.c. */
+/* Reads a file that scenes.c wrote. */
 export async function readScene(path) {
     const file = await (await fetchFile(path)).arrayBuffer();
     const [vertices, indices] = new Uint32Array(file, 0, file.byteLength < 8 ? 0 : 2);
@@ -56,7 +56,7 @@ const load = which => import(`three/addons/${which}.js`);
 const baseOf = path => path.replace(/^.*[/\\]/, '').toLowerCase();
 const kindOf = ({ name }) => /[^.]*$/.exec(name.toLowerCase())[0];
 
-/* A file's bytes; progress is told the share that is read. */
+/* Returns a file's bytes; calls progress with the share that is read. */
 async function bytesOf(file, progress) {
     const bytes = new Uint8Array(file.size), reader = file.stream().getReader();
     for (let at = 0; ;) {
@@ -68,7 +68,7 @@ async function bytesOf(file, progress) {
     return bytes;
 }
 
-/* What lies beside a file, under the names that it has there. */
+/* The files that were dropped together with a model, by the names that the model uses. */
 class Beside {
     #files = new Map(); #addresses = [];
     failed = [];
@@ -81,7 +81,7 @@ class Beside {
         return this.#files.get(baseOf(name)) ?? this.#files.get(baseOf(path));
     }
 
-    /* Loaders ask it for addresses. */
+    /* Returns three.js' manager of URLs, by which its loaders find these files. */
     manager() {
         const manager = new THREE.LoadingManager(), names = new Map();
         manager.setURLModifier(url => {
@@ -109,7 +109,7 @@ function inWorker(bytes) {
     });
 }
 
-/* Of each name in the libraries that are there; notes say which are not. */
+/* Returns the materials of the MTL files that an OBJ names and that are there; adds a note for each that is missing. */
 async function materialsOf(text, beside, notes) {
     const names = [...text.matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t\r]*$/gm)].map(([, name]) => name), all = new Map();
     if (!names.length) return all;
@@ -122,7 +122,7 @@ async function materialsOf(text, beside, notes) {
         for (const picture of new Set([...pictures].map(([, name]) => name)))
             if (!beside.find(picture)) notes.push(`${picture} is not beside it: drop all together`);
         const come = new Promise(done => { manager.onLoad = done; });
-        manager.itemStart('library');                   /* so that the last of its pictures ends it */
+        manager.itemStart('library');                   /* so that the manager ends only after the last texture */
         const made = new MTLLoader(manager).parse(library, '');
         made.preload();
         manager.itemEnd('library');
@@ -136,7 +136,7 @@ async function materialsOf(text, beside, notes) {
 }
 
 async function parseObj(bytes, beside, notes) {
-    /* its materials are named by lines of their own, which the head of a large file has */
+    /* lines of the OBJ name the MTL files; of a large OBJ only the beginning is searched */
     const text = new TextDecoder().decode(bytes.subarray(0, 1 << 20));
     const materials = await materialsOf(text, beside, notes), model = new THREE.Group();
     const own = ({ name, vertexColors }) => Object.assign(
@@ -154,13 +154,13 @@ async function parseObj(bytes, beside, notes) {
 
 /* ---- glTF */
 
-/* The JSON of a .gltf, or of a .glb, whose first chunk it is. */
+/* Returns the JSON of a .gltf, or of a .glb, whose first chunk it is. */
 function gltfText(bytes) {
     const view = new DataView(bytes.buffer), binary = bytes.length >= 20 && view.getUint32(0, true) === 0x46546c67;
     return new TextDecoder().decode(binary ? bytes.subarray(20, 20 + view.getUint32(12, true)) : bytes);
 }
 
-/* Files that were not dropped are not looked for: a name in this one would fetch what lies there on the server. */
+/* Parses a glTF. Files that were not dropped are refused: their names could otherwise be fetched from the server. */
 async function parseGltf(bytes, beside) {
     const { buffers = [], images = [], extensionsRequired = [], extensionsUsed = [] } = JSON.parse(gltfText(bytes));
     const away = [...buffers, ...images].map(({ uri }) => uri)
@@ -207,7 +207,7 @@ const formats = { __proto__: null, gltf, glb: gltf,
                   obj: { parse: parseObj, must: 'must be an OBJ of vertices (v) and faces (f)' } };
 const skyKinds = ['hdr', 'exr'];
 
-/* What keeps a geometry from being drawn: a sentence, or null. */
+/* Returns why a geometry cannot be drawn as a sentence, or null. */
 function unsound({ attributes: { position, normal }, index }) {
     if (!position) return 'a mesh has no vertices; each must have some';
     for (const [what, list] of [['position', position], ['normal', normal]])
@@ -220,7 +220,7 @@ function unsound({ attributes: { position, normal }, index }) {
     return null;
 }
 
-/* Triangles with materials that the G-buffer knows; lines and points, which nothing here lights, are left out. */
+/* Gives triangles materials for the G-buffer; removes lines and points, which nothing here lights. */
 function prepare(model, notes) {
     const parts = [];
     let triangles = 0, emits = false;
@@ -231,7 +231,7 @@ function prepare(model, notes) {
         const { geometry } = part, wrong = unsound(geometry);
         if (wrong) fail(wrong);
         if (!geometry.attributes.normal) geometry.computeVertexNormals();
-        geometry.computeBoundingBox();                  /* a glTF's are what it says they are */
+        geometry.computeBoundingBox();                  /* a glTF's own bounds may be wrong */
         geometry.computeBoundingSphere();
         emits ||= [part.material].flat().some(m => m.emissiveIntensity > 0 && m.emissive?.toArray().some(v => v > 0));
         part.material = Array.isArray(part.material) ? part.material.map(m => lambert(m, 2))
@@ -242,7 +242,7 @@ function prepare(model, notes) {
     if (emits) notes.push('its materials emit light, which is not shown');
 }
 
-/* Where a glTF's nodes put floats, these are as far apart as they are where its meshes have them. */
+/* Returns the largest spacing of floats at the meshes' vertices, in world space. */
 function gapIn(model) {
     let most = 0;
     model.traverse(({ isMesh, geometry, matrixWorld }) => {
@@ -255,7 +255,7 @@ function gapIn(model) {
     return most;
 }
 
-/* A mesh whose own floats lie far from 0 has them moved there: floats of a matrix would undo them no more exactly. */
+/* Moves the vertices of meshes far from their own 0 there: if a matrix moved them, they would be as coarse. */
 function moveVertices(model) {
     const moved = new Map();
     model.traverse(part => {
@@ -274,8 +274,8 @@ function moveVertices(model) {
     });
 }
 
-/* A model that lies far from 0 is moved there, in doubles, as matrices are; where it was read about another place, from
-   there. The place that stands at 0 then. */
+/* Moves a model that is far from 0 to 0, in doubles, as three's matrices are. about: the origin that its reader has
+   subtracted already. Returns the point of the file that is now at 0. */
 function approach({ model, about = [0, 0, 0] }, notes) {
     const box = new THREE.Box3().setFromObject(model);
     const by = originOf(box.min.toArray(), box.max.toArray()), origin = about.map((v, i) => v + by[i]);
@@ -288,10 +288,10 @@ function approach({ model, about = [0, 0, 0] }, notes) {
     return origin;
 }
 
-/* Where float arithmetic has room for radii, planes and areas of such a scene. */
+/* Limits of a scene's diagonal: floats must hold its radii, planes and areas. */
 const narrowest = 1e-6, widest = 1e8;
 
-/* On a floor, seen as a whole. */
+/* Puts a model on a floor, with a camera that sees all of it. */
 function stagedOnFloor(read, title, notes) {
     const origin = approach(read, notes), { model } = read;
     const box = new THREE.Box3().setFromObject(model), middle = box.getCenter(new THREE.Vector3());
@@ -320,11 +320,11 @@ async function readModel(file, beside, progress, notes) {
     return stagedOnFloor(read, file.name, notes);
 }
 
-/* { staged: { model, info } for Stage.show, sky, notes }: of what was dropped or chosen, with what lies beside it. */
+/* Reads dropped or chosen files. Returns { staged: { model, info } for Stage.show, sky, notes }. */
 export async function readFiles(files, progress) {
     const model = files.find(file => formats[kindOf(file)]), sky = files.find(file => skyKinds.includes(kindOf(file)));
     const beside = new Beside(files), notes = [], read = { staged: null, sky: null, notes };
-    const console = THREE.getConsoleFunction();         /* what matters of it is said on the page, in one sentence */
+    const console = THREE.getConsoleFunction();         /* the page shows one sentence instead */
     THREE.setConsoleFunction(() => {});
     const about = async (file, body) => {
         try { return await body(); } catch (e) { throw new Error(`${file.name}: ${plain(e)}`, { cause: e }); }

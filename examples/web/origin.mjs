@@ -1,10 +1,10 @@
-/* origin.mjs - where a model that lies far from 0 is shown about, by build/render's rule: floats are coarse so far
-   away, and all that is drawn is floats. */
+/* origin.mjs - chooses the origin for a model that is far from 0, by build/render's rule: floats there are coarse, and
+   all drawing is done in floats. */
 
-const away = 100;                                       /* of its diagonals; below that nothing is moved */
-const coarse = 2e-5;                                    /* the share of its diagonal that numbers may lie apart */
+const away = 100;                                       /* in diagonals of the model; nearer models are not moved */
+const coarse = 2e-5;                      /* largest spacing of floats in diagonals of the model that is not reported */
 
-/* The middle of bounds, as a number of few digits, or 0, 0, 0. */
+/* Returns the middle of bounds, rounded to few digits, if they are far from 0; else 0, 0, 0. */
 export function originOf(lower, upper) {
     const middle = lower.map((least, i) => 0.5 * (least + upper[i]));
     const diagonal = Math.hypot(...lower.map((least, i) => upper[i] - least));
@@ -13,10 +13,10 @@ export function originOf(lower, upper) {
     return middle.map(v => (diagonal > 0 ? step * Math.round(v / step) : v));
 }
 
-/* How far apart floats lie at a number. */
+/* Returns the spacing of floats at a number. */
 export const floatsAt = v => 2 ** (Math.floor(Math.log2(Math.max(Math.abs(v), 2 ** -126))) - 23);
 
-/* What is said where they are so far apart in a model of such a diagonal; or null. */
+/* Returns a sentence if the spacing gap is too coarse for a model of that diagonal; else null. */
 export const gapSaid = (gap, diagonal) => (gap > coarse * diagonal
     ? `its coordinates are floats, which so far from 0 are ${+gap.toPrecision(2)} apart, `
         + `${+(gap / diagonal).toPrecision(2)} of its size`

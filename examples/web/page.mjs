@@ -1,4 +1,4 @@
-/* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in webgl.mjs. */
+/* page.mjs - the page: its settings, its frames and the text beside them. webgl.mjs draws the library's passes. */
 import { load } from './ssgi.mjs';
 import { defaults, resolutions, lookOf, methods, namedChain, normals, presets, read, sentenceOf, settings, shadows,
          shows,
@@ -15,24 +15,24 @@ import { Makers, madeChain, setOf } from './makers.mjs';
 
 const $ = id => document.getElementById(id), panel = $('panel'), canvas = $('canvas');
 const set = lookOf(defaults.scene);
-const most = 4096;                                  /* rays a pixel, after which the truth is left alone */
+const most = 4096;                                  /* rays a pixel at which the ground truth is finished */
 
-const settled = 32;                                 /* frames at rest, after which history changes no more */
-const kept = 31;                                    /* times of a pass that a median is of */
+const settled = 32;                                 /* frames of a still view after which history no longer changes */
+const kept = 31;                                    /* number of a pass's last times whose median is shown */
 
 let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
-let own, gpu = null;                                /* of WebGL 2: drawer, show; what webgpu-canvas.mjs opened */
-let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
+let own, gpu = null;                         /* own: { drawer, show } of WebGL 2; gpu: those of WebGPU, if it draws */
+let sides = [null, null];                           /* left and right: { run, key, frame number, .. } */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
-let calm = null;                                    /* the view that is not moved for the sake of edges */
-let samples = 0;                                    /* pictures, each moved by less than a pixel, that the mean has */
+let calm = null;                                    /* the view without the subpixel offsets that smooth edges */
+let samples = 0;                                  /* number of images with subpixel offsets in the mean that is shown */
 let dirty = { scene: true, gather: true, picture: true }, traced = null, clockless = false, environments = new Map();
 let errors = {}, ownSky = null, makers;
-let readScene, readFiles;                           /* of model.mjs, which comes when WebGL 2 is known to be here */
+let readScene, readFiles;                   /* functions of model.mjs, which is fetched once WebGL 2 is known to work */
 
-/* ---- settings: in the address, in the panel */
+/* ---- settings, in the address and in the panel */
 
-/* Returns what is wrong with it, for notice(): what cannot be had stays as it was. */
+/* Takes the address's settings. Returns sentences for notice() about those that are refused and keep their values. */
 function fromAddress() {
     const { set: all, wrong } = read(location.hash.slice(1), limits(), set);
     Object.assign(set, all);
@@ -48,7 +48,7 @@ function writeAddress() {
     addressed = setTimeout(() => history.replaceState(null, '', '#' + write(set)), 250);
 }
 const radius = () => stage.info.radius * 2 ** set.radius;
-/* In radii; the library's for the method, without a float's digits. */
+/* Returns the limit in radii: the user's, or the library's for the method, without digits of float rounding. */
 function thicknessLimit(method) {
     if (set.thickness_limit >= 0) return set.thickness_limit;
     if (!methods[method]?.method) return 0.6;
@@ -57,7 +57,7 @@ function thicknessLimit(method) {
 }
 const wantsTruth = () => set.truth || set.b === 'truth' || set.view === 'difference';
 const moving = () => set.moves || set.circle;
-/* Whether the sun is in what a side's chain writes, and so in the truth of it. */
+/* Whether a shown chain includes the sun's light, so that the ground truth must, too. */
 const lit = () => [set.a, set.b].some(name => lightsOf(set, name));
 const uses = name => set.a === name || set.b === name;
 const averages = () => sides.some(side => side?.run.chain.history);
@@ -125,7 +125,7 @@ function toPanel() {
     page.bar?.show();
 }
 
-/* Sizes that only an address names are added. */
+/* Adds the sizes that only an address can ask for. */
 function showSize(select, value) {
     if (![...select.options].some(o => o.value === value)) select.add(new Option(value));
     select.value = value;
@@ -231,9 +231,9 @@ function saved(name, blob) {
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-/* What is on its way, and how much of it is there, 0 to 1; NaN: nobody knows; null: nothing is. aside: it leaves in
-   sight what is shown meanwhile. Until the first picture there are words alone: a bar that moves has the page put
-   together anew all the while, which in software takes as long as the picture. */
+/* Shows an activity and its share that is done, 0 to 1; NaN: unknown; text null: there is none. aside: in a corner, so
+   that the image stays visible. Until the first image only the text is shown: a bar that moves makes the browser
+   compose the page all the time, which without a GPU takes as long as the image. */
 function loading(text, share = NaN, aside = false) {
     $('loading').classList.toggle('aside', aside);
     $('loading').hidden = text === null;
@@ -250,19 +250,19 @@ async function copied(button, text) {
     setTimeout(() => { button.textContent = was; }, 4000);
 }
 
-/* A line each; none: there is nothing to say. */
+/* Shows sentences, a line each; without any the notice is hidden. */
 function notice(...sentences) {
     const shown = sentences.slice(0, 3), more = sentences.length - shown.length;
     $('notice').hidden = !shown.length;
     $('notice').textContent = [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');
 }
 
-/* Another scene brings its light, where none was chosen. */
+/* Takes the default light of a scene for all settings of light that the user has not changed. */
 function takeLook(scene) {
     const was = lookOf(set.scene), is = lookOf(scene);
     for (const key in is) if (key !== 'scene' && set[key] === was[key]) set[key] = is[key];
 }
-let ownView = false;                                 /* it was chosen, and stays */
+let ownView = false;                                 /* the user has chosen the view, so that it stays */
 function choose(name, value) {
     if (name === 'scene') takeLook(value);
     set[name] = value;
@@ -281,13 +281,13 @@ function choose(name, value) {
     changed(name);
 }
 
-/* What is touched stands still. */
+/* Stops the turning of the view when the user touches it. */
 function stand() {
     if (set.circle) choose('circle', false);
 }
 
 const suns = ['sun', 'azimuth', 'height', 'strength'];      /* light a bounce, too */
-const forEyes = ['exposure', 'effect', 'truth'];            /* change nothing of what is gathered */
+const forEyes = ['exposure', 'effect', 'truth'];            /* settings that change no gather */
 function changed(name) {
     if (suns.includes(name)) {
         dirty.scene = true;
@@ -303,7 +303,7 @@ function changed(name) {
 
 /* ---- scenes */
 
-/* What cannot be had of an address, a scene or a file is said, and scene and settings stay as they were. */
+/* Opens the address's scene and settings. Those that are refused are reported and stay as they were. */
 function goToAddress() {
     notice(...fromAddress());
     const opened = openScene();
@@ -357,7 +357,7 @@ async function openFiles(files) {
     } catch (e) {
         if (mine !== opening) return;
         notice(e.message);
-        if (stage.info?.name !== set.scene) openScene();    /* which was still on its way */
+        if (stage.info?.name !== set.scene) openScene();    /* this cancelled its opening */
     } finally {
         if (mine === opening) loading(null);
     }
@@ -394,7 +394,7 @@ function showModel(model, info) {
     truth?.stop();
 }
 
-/* Where the sun is much stronger than the sky, little is seen of what the sky's light leaves dark. */
+/* The sun is weakened, because strong sunlight would hide the occlusion of the sky's light. */
 const sunStrength = () => 0.7 * set.strength;
 
 function lookHome() {
@@ -407,7 +407,7 @@ function lookedFrom() {
     return `${at(stage.camera.position)},${at(stage.controls.target)}`;
 }
 
-/* ---- what the passes are given */
+/* ---- inputs of the passes */
 
 const skyImage = name => {
     if (!environments.has(name)) environments.set(name, name === 'file' ? ownSky.rgb : equirect(name, 256, 128));
@@ -439,7 +439,7 @@ function lightOf(desc) {
     return given;
 }
 
-/* The sun's row, and its map, which three.js has drawn. */
+/* Returns the sun as a row of t_ssgi_lights, and its shadow map, which three.js has drawn. */
 function sunOf(now) {
     const { toSun, irradiance, projection, size, worldToLight } = stage.sunlight, v = now.toView;
     const at = [0, 1, 2].map(k => v[k] * toSun[0] + v[4 + k] * toSun[1] + v[8 + k] * toSun[2]);
@@ -449,24 +449,24 @@ function sunOf(now) {
 }
 let lamps = null;                                   /* rows of t_ssgi_lights */
 
-const farthestHalf = 65504;                         /* depths that 16 bits hold */
+const farthestHalf = 65504;                         /* the largest depth that a 16-bit float holds */
 
 const filterOf = desc => desc.filter_radius || (desc.filter === 'GAUSSIAN' ? 2 : 1);
 
-/* The chain of a side, as settings have it; own: with the numbers that replace the preset's. */
+/* Returns a method's chain by the page's settings; own: with the panel's numbers, which replace the preset's. */
 function chainOf(name, preset, own) {
     return chainAs(ssgi, set, name, preset, own, { dialect: drawer.dialect, ...size,
                                                    precise: +(stage.info?.far > farthestHalf) });
 }
 
-/* What is made of triangles has no noise that frames average; of half size neighbours bring it to full size. */
+/* Returns any method's chain. Surfels and fields have chains of their own, without settings of noise and filters. */
 function chainFor(name, preset, own) {
     if (!methods[name].module) return chainOf(name, preset, own);
     return madeChain(ssgi, name, preset, set, own, { ...size, dialect: '300ES',
                                                      precise: +(stage.info?.far > farthestHalf) });
 }
 
-/* The C that makes a side's chain; null: it has none. */
+/* Returns the C that makes a side's chain; null: the side has none. */
 function codeOf(i) {
     const side = sides[i];
     if (!side) return null;
@@ -477,7 +477,7 @@ function codeOf(i) {
                                  ...made, title: `${method} of "${stage.info.title}", as the page shows it` });
 }
 
-/* Until its programs are linked what was shown stays: true. */
+/* Chains whose programs are being linked: what was shown stays until then. side returns true meanwhile. */
 const coming = [null, null];
 function side(i, name, preset) {
     const chain = methods[name]?.method ? chainFor(name, preset, i === 0) : null, key = JSON.stringify(chain);
@@ -536,7 +536,7 @@ function frameOf(side, now) {
 function fit() {
     const box = $('picture').getBoundingClientRect();
     let width, height;
-    /* in software a quarter of the pixels is there in half the time */
+    /* without a GPU the first image has half the width and height, so that it is there sooner */
     const early = software && !told ? 0.5 : 1;
     if (set.size !== 'auto') [width, height] = set.size.split('x').map(Number);
     else {
@@ -555,7 +555,7 @@ function fit() {
     dirty.scene = dirty.gather = true;
 }
 
-function shownBox() {                               /* where the picture is on the page: it may have bars */
+function shownBox() {                    /* returns where the image is within the page, which may show bars beside it */
     const box = canvas.getBoundingClientRect(), scale = Math.min(box.width / size.width, box.height / size.height);
     const width = size.width * scale, height = size.height * scale;
     return { left: box.left + (box.width - width) / 2, width, top: box.top + (box.height - height) / 2, height };
@@ -606,7 +606,7 @@ function draw() {
     return true;
 }
 
-/* Whether what the sides draw of triangles is there; asks for it where something has changed. */
+/* Returns whether the surfels and fields of both sides are ready; asks for them if something has changed. */
 function made() {
     const of = [[set.a, set.p], [set.b, set.q]].filter(([name]) => methods[name]?.module);
     [set.a, set.b].forEach((name, i) => makers.leave(i, name));
@@ -620,11 +620,11 @@ function aboutOf(i, name, preset, now) {
     return { stage, now, radius: radius(), ...(methods[name]?.module && setOf(name, preset, set, i === 0)) };
 }
 
-/* Layers of back faces that are read. */
+/* The number of layers of back faces that the passes read. */
 const backs = () => (set.thickness === 'SLABS' ? 3 : +(set.thickness === 'BACK'));
 const gbuffer = () => (gpu ? gpu.draw(stage, backs(), size) : stage.draw(backs()));
 
-/* Pictures whose mean is shown at rest. The truth is of one place in each pixel. */
+/* Returns the number of images whose mean smooths edges at rest; the ground truth shows pixels' centres alone. */
 function wantedSamples() {
     if (moving() || set.view === 'difference' || set.b === 'truth') return 0;
     return !software ? 32 : uses('dss') ? 0 : 8;
@@ -649,7 +649,7 @@ function drawCalm(gather, again) {
     if (again && !gather) score();
 }
 
-/* Once more from a little beside: what differs are edges, and which pixels of half size are gathered. */
+/* Draws one more image, moved by less than a pixel: edges change, and the pixels that half resolution gathers. */
 function drawSample() {
     if (!samples) sides.forEach(keepRested);
     stage.jitter(radicalInverse(samples + 1, 2) - 0.5, radicalInverse(samples + 1, 3) - 0.5);
@@ -666,7 +666,7 @@ function radicalInverse(i, base) {
     return sum;
 }
 
-/* The result as it is where pixels are: what errors are of. */
+/* Keeps the result without a subpixel offset, of which errors are computed. */
 function keepRested(side) {
     if (!side || side.rested) return;
     side.rested = drawer.copy(side.run.light, side.run.format, size.width, size.height);
@@ -705,7 +705,7 @@ function animate() {
     dirty.scene = dirty.gather = true;
 }
 
-/* The object is there if it moves, or if its field is drawn; it stands where it was. */
+/* Shows the moving object if it moves or if its field is drawn; else removes it. */
 let placed = null;
 function placeMover() {
     const wanted = set.moves || (uses('aof') && stage.info.name !== 'file');
@@ -732,13 +732,13 @@ function present(now) {
       effect: set.effect, step: truth?.step || 1, rough: +!!truth?.rough }, samples);
 }
 
-/* 1 / view depth is linear in window depth, whatever the planes. */
+/* Returns a and b of 1 / view depth = a + b * window depth, which holds for any planes. */
 function decodeOf() {
     const { elements: p } = stage.camera.projectionMatrix;
     return [(p[10] - 1) / p[14], 2 / p[14]];
 }
 
-/* Times of the passes come frames later: the median of the last is what is written. */
+/* Takes the times of passes, which arrive some frames later; shows the median of the last ones. */
 function takeTimes() {
     let waits = false;
     for (const side of sides) {
@@ -757,7 +757,7 @@ function keepTimes(side, ms) {
     writePasses();
 }
 
-/* Some time after the last change: where there is no timer passes are timed. */
+/* Called some time after the last change; if there is no GPU timer, it times the passes by the clock. */
 let rested = 0, tracing = 0;
 function rest() {
     rested = 0;
@@ -770,14 +770,14 @@ function rest() {
 
 function clock(side) {
     const { run } = side;
-    if (run.chain.history) run.turn();                    /* what was last written is written again */
+    if (run.chain.history) run.turn();                    /* the last frame's history is written again */
     const all = [];
     for (let i = 0; i < 3; ++i) { run.draw(side.given, side.frame, 2); all.push([...run.ms]); }
     side.ms = all[0].map((_, k) => all.map(ms => ms[k]).sort((x, y) => x - y)[1]);
     if (run.chain.history) run.turn();
 }
 
-/* Of a side what is made of triangles has changed, or cannot be made. */
+/* Called when a side's surfels or fields have changed, or cannot be made. */
 function remade(i, error) {
     const name = i ? 'b' : 'a';
     if (error && methods[set[name]]?.module) {
@@ -826,7 +826,7 @@ function truthTexture() {
     return truthMade = truthHeld.texture = drawer.floats(truth.texels(), width, height, 0, truthHeld.texture);
 }
 
-/* A side's result: ambient visibility, one number a pixel; or light, four; bottom row first. */
+/* Returns a side's result: ambient visibility, one number a pixel, or light, four; bottom row first. */
 function pixelsOf(side) {
     if (side.pixels) return side.pixels;
     const { width, height } = size, { light } = methods[side.name];
@@ -847,7 +847,7 @@ function score() {
     writeStatus();
 }
 
-/* What the passes read, for build/render --gbuffer frame.exr, with the camera: OpenEXR's looks down +z. */
+/* Returns the G-buffer as an EXR for build/render --gbuffer, with the camera; OpenEXR's camera looks down +z. */
 function frameFile() {
     stage.jitter(0, 0);
     const drawn = stage.draw(backs());
@@ -858,7 +858,7 @@ function frameFile() {
     const { projectionMatrix, matrixWorldInverse } = stage.camera, p = projectionMatrix.elements;
     const { width, height } = size, worldToCamera = matrixWorldInverse.elements.map((v, i) => i % 4 === 2 ? 0 - v : v);
     const [x, y, z] = stage.info.origin ?? [0, 0, 0], far = x || y || z;
-    for (let i = 12; i < 15; ++i)                       /* from the model's own coordinates */
+    for (let i = 12; i < 15; ++i)                       /* moves the camera's matrix to the model's own origin */
         worldToCamera[i] -= x * worldToCamera[i - 12] + y * worldToCamera[i - 8] + z * worldToCamera[i - 4];
     const precise = far ? { 'ssgi.worldToCamera': new Float64Array(worldToCamera) } : {};
     const channels = own.show.frame(width, height, drawn, decodeOf());
@@ -866,7 +866,7 @@ function frameFile() {
                { screenWindowWidth: 2 / p[0], worldToCamera, ...precise, 'ssgi.radius': radius() });
 }
 
-/* ---- WebGPU beside WebGL 2, by the same steps */
+/* ---- WebGPU instead of WebGL 2, by the same steps */
 
 let choosing = 0;
 async function chooseGpu(wanted) {
@@ -890,13 +890,13 @@ async function chooseGpu(wanted) {
     drawBy(made ?? null);
 }
 
-/* Why WebGPU does not draw a method; falsy: it does. */
+/* Returns why WebGPU cannot draw a method; falsy: it can. */
 function lacksOf(name) {
     if (methods[name]?.module) return 'is not in WebGPU';
     return methods[name]?.method && gpu.drawer.lacks(chainOf(name, set.p, false));
 }
 
-/* What was made by one of them goes with it. made: null: WebGL 2 draws. */
+/* Changes to WebGPU (made) or WebGL 2 (null), and frees the textures and programs of the one before. */
 function drawBy(made) {
     for (const run of [...sides, ...coming]) forget(run);
     sides.fill(null);
@@ -920,7 +920,7 @@ function drawBy(made) {
     $('read').textContent = `Read ${drawer.language} and C`;
     $('copy-glsl').textContent = `Copy the ${drawer.language}`;
     for (const select of [panel.elements.a, panel.elements.b])
-        for (const option of select.options) {          /* what only WebGL 2 has is grey, and says why */
+        for (const option of select.options) {          /* methods that only WebGL 2 has are grey, and say why */
             const lacks = gpu && lacksOf(option.value);
             option.disabled = !!lacks;
             option.title = lacks ? `${methods[option.value].title} ${lacks}: draw it with WebGL 2` : '';
@@ -937,7 +937,7 @@ function writeStatus() {
     const clock = software ? 'in software' : clockless ? 'by the CPU’s clock' : 'on the GPU';
     const found = [0, 1].filter(i => errors[i]).map(i => errors[i]);
     const shares = found.filter(({ none }) => none).map(({ rmse, none }) => `${(100 * rmse / none).toFixed(0)} %`);
-    const nones = new Set(found.map(({ none }) => none?.toFixed(4)));   /* light and visibility have one each */
+    const nones = new Set(found.map(({ none }) => none?.toFixed(4)));   /* light and visibility have their own */
     const paused = wantsTruth() && moving();
     $('cost').textContent = ms.join(' | ');
     $('clock').textContent = ms.length ? clock : '';
@@ -955,7 +955,7 @@ function writeStatus() {
     writeHere();
     $('status').hidden = !ms.length && !traced && !paused && $('legend').hidden && times.length < 2;
 }
-/* The pixel under the pointer, of the side that is seen there, and its truth. */
+/* Shows the result at the pixel under the pointer, for the side that is there, and its ground truth. */
 let pointer = null;
 function writeHere() {
     const box = shownBox(), x = Math.floor((pointer?.clientX - box.left) / box.width * size.width);
@@ -968,7 +968,7 @@ function writeHere() {
     $('here').textContent = !seen ? '' : `${Number.isNaN(is) ? '' : `here ${is.toFixed(3)}, `}truth ${
         (light ? mean(seen.light) : seen.visibility).toFixed(3)} ± ${seen.off.toFixed(3)}`;
 }
-/* Where the error of the left side is largest for certain. */
+/* Marks the pixel of the left side whose error is the largest beyond doubt. */
 function placeWorst() {
     const { worst } = errors[0] ?? {}, box = shownBox(), frame = $('picture').getBoundingClientRect();
     $('worst').hidden = set.view !== 'difference' || !worst || worst.x > splitAt();
@@ -1041,10 +1041,10 @@ function showText() {
 
 /* ---- begin */
 
-let told = false, whole = false;                    /* the first picture is there; in its size */
+let told = false, whole = false;                    /* told: the first image was shown; whole: at its full size */
 function first() {
     if (whole) return;
-    /* it is there, not just asked for */
+    /* reading a pixel waits until the image is drawn */
     if (!gpu) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     performance.mark(told ? 'in its size' : 'first picture');
     whole = told || !software;
@@ -1057,7 +1057,7 @@ function first() {
     request();
 }
 
-/* For scripts: make web-test waits for it, and reads results. */
+/* For scripts: make web-test waits for these, and reads results. */
 const page = globalThis.page = { set, first: null, lacks: null, result,
                                  error: i => errors[i]?.rmse ?? null,
                                  rays: () => (truth?.step === 1 ? truth.rays : 0), truth: () => truth,
@@ -1069,7 +1069,7 @@ const page = globalThis.page = { set, first: null, lacks: null, result,
                                  inside: () => ({ stage, show, buffers, size, gl, gpu, sky: () => coefficients(3) }),
                                  frame: frameFile,
                                  limits, picture, webgpu: chooseGpu };
-/* Settings as the address has them; resolves when they are drawn. */
+/* Takes the settings of an address; resolves when they are drawn. */
 page.go = async hash => {
     history.replaceState(null, '', '#' + hash);
     await goToAddress();
@@ -1081,7 +1081,7 @@ page.go = async hash => {
     if (failure) throw failure;
 };
 
-/* What is on the canvas, four bytes a pixel: drawn once more, as browsers do not keep it. */
+/* Returns the canvas's pixels, four bytes each; draws again, because browsers do not keep them. */
 function picture() {
     if (gpu) return gpu.pixels(...placing());
     const all = new Uint8Array(4 * size.width * size.height);
@@ -1100,12 +1100,12 @@ function result(i) {
     return pixels.then?.(all => ({ ...of, pixels: all })) ?? { ...of, pixels };
 }
 async function savePicture() {
-    while (!whole) await new Promise(requestAnimationFrame);    // the first picture has a quarter of the pixels
+    while (!whole) await new Promise(requestAnimationFrame);    // the first image is smaller
     placeAgain();
     (gpu?.canvas ?? canvas).toBlob(blob => { if (blob) saved('ssgi.png', blob); });
 }
 
-/* As three.js asks for one, which it is handed. */
+/* The attributes of a WebGL context that three.js would ask for: three.js is given this context. */
 const contextLike = { alpha: true, depth: true, stencil: false, antialias: false, premultipliedAlpha: true,
                       preserveDrawingBuffer: false, powerPreference: 'high-performance' };
 function lacks() {
@@ -1121,7 +1121,7 @@ function lacks() {
     return missing;
 }
 
-/* Pictures of the scenes, as make web drew them. */
+/* Shows small images of the scenes, which make web drew. */
 function showThumbs() {
     $('thumbs').replaceChildren(...scenes.filter(s => s.picture).map(({ name, title, picture }) => {
         const button = document.createElement('button'), image = new Image(96, 60);
@@ -1172,7 +1172,7 @@ async function start() {
     panel.inert = false;
     fit();
     if (new URLSearchParams(location.search).has('webgpu')) await chooseGpu(true);
-    side(0, set.a, set.p);                          /* linked while the scene comes */
+    side(0, set.a, set.p);                          /* links programs while the scene is fetched */
     side(1, set.b, set.q);
     await openScene();
 }

@@ -1,10 +1,10 @@
-/* reader.mjs - a worker that reads OBJ, which takes seconds for a large one: { bytes } comes, { meshes, origin } or
-   { error } goes back. Meshes are about the origin. A worker knows no import map: make web writes addresses of files
-   into three's loaders. */
+/* reader.mjs - a worker that reads OBJ, which takes seconds if it is large. It gets { bytes } and answers { meshes,
+   origin } or { error }. Meshes are relative to the origin. A worker has no import map, so make web writes URLs of
+   files into three's loaders. */
 import { originOf } from './origin.mjs';
 import { OBJLoader } from './three/loaders/OBJLoader.js';
 
-/* Without its lines and points: the loader takes faces of the same object for more of them. */
+/* Removes an OBJ's lines and points: the loader would take later faces of the object for more of them. */
 const faces = text => text.replace(/^[ \t]*[lp][ \t].*$/gm, '');
 
 function meshesOf(text) {
@@ -32,12 +32,12 @@ function boundsOf(meshes) {
     return [lower, upper];
 }
 
-/* Vertices about an origin: the loader makes floats of their text. */
+/* Subtracts an origin from an OBJ's vertices in the text, because the loader rounds them to floats. */
 const moved = (text, [x, y, z]) => text.replace(/\\\r?\n/g, ' ')
     .replace(/^([ \t]*v[ \t]+)(\S+)([ \t]+)(\S+)([ \t]+)([^\s#]+)/gm,
              (_, v, a, b, c, d, e) => v + (a - x) + b + (c - y) + d + (e - z));
 
-/* What lies far from 0 is read again, about its middle, as floats find that: perhaps twice. */
+/* Reads an OBJ; if it is far from 0, again about its middle, perhaps twice, because floats find the middle roughly. */
 function read(text) {
     const origin = [0, 0, 0];
     let meshes = meshesOf(text);

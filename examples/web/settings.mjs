@@ -1,11 +1,11 @@
-/* settings.mjs - what the page is set to, read from its address and written there. Pure: needs no page.
+/* settings.mjs - the page's settings, read from its address and written to it. It does not use the page.
 
-   Tables have no prototype: words of the address are looked up in them, and "constructor" is in every other object. */
+   Tables have no prototype: words of the address are looked up in them, and every other object has "constructor". */
 import { skies } from './sky.mjs';
 
 const surfels = { size: 0.03, levels: 4, epsilon: 0.3 };      /* the library's defaults */
 
-/* method: the library's, as Ssgi.chain takes it; its sentence is shown. settings: what the page has otherwise. */
+/* method: the library's name for Ssgi.chain, whose sentence is shown. The other members are the page's own. */
 export const methods = {
     __proto__: null,
     none: { title: 'No occlusion' },
@@ -23,19 +23,19 @@ export const methods = {
         BEST: { resolution: 32, rays: 96 } } }
 };
 
-/* What a method is for, as the library says it. */
+/* Returns the library's sentence about a method. */
 export const sentenceOf = (ssgi, name) => ssgi.methods.find(m => m.name === methods[name].method)?.sentence
     ?? 'All light as it comes.';
 
-/* The library's chain of a method with a preset. */
+/* Returns the library's chain of a method with a preset. */
 export const namedChain = (ssgi, name, preset) =>
     ssgi.chain(`${methods[name].method},${preset}${methods[name].settings ?? ''}`);
-/* What is set, too, when a method is chosen: so that what it does is seen. */
+/* Settings that a method's choice changes, so that its effect is seen. */
 export const shows = {
     __proto__: null,
     ssdo: { bounce: true }, points: { bounce: true }, aof: { moves: true }
 };
-/* How the scenes are lit before anything else is chosen. */
+/* The light of each scene until the user chooses another. */
 export const looks = {
     __proto__: null,
     room: { sky: 'windows' },
@@ -51,7 +51,7 @@ export const resolutions = { __proto__: null, preset: 'as the preset', HALF: 'ha
 export const normals = { __proto__: null, SIGNED: 'of the G-buffer', FROM_DEPTH: 'from depth' };
 export const sizes = ['480x270', '640x360', '960x540', '1280x720', '1920x1080'];
 
-/* ---- kinds of settings: read: the value of a text, or undefined; must: what would be right */
+/* ---- kinds of settings. read: returns the value of a text, or undefined; must: describes a valid one */
 
 const word = (initial, words) => ({
     initial,
@@ -65,7 +65,7 @@ const flag = initial => ({
     must: () => 'must be 0 or 1'
 });
 
-/* other: one value outside of them that means something else, by these words */
+/* Makes a setting in [least, most]. other: one value outside these limits that has its own meaning, named by words */
 const number = (initial, least, most, other = null, words = '', of = 'a number') => ({
     initial, least, most,
     read(text) {
@@ -75,11 +75,11 @@ const number = (initial, least, most, other = null, words = '', of = 'a number')
     must: () => `must be ${of} from ${least} to ${most}${words}`
 });
 
-/* other: what stands for the preset's */
+/* Makes a setting that is a whole number. other: the word for the preset's number */
 const count = (least, most, other) =>
     number(other, least, most, other, `, or ${other} for the preset's`, 'a whole number');
 
-/* The scenes are known when the page has fetched their list. */
+/* The names of scenes are known when the page has fetched their list. */
 const scene = {
     initial: 'room',
     read: (text, { scenes }) => (scenes.includes(text) ? text : undefined),
@@ -105,7 +105,7 @@ const sky = {
         : `must be one of ${Object.keys(skies).join(', ')}`)
 };
 
-/* Eye and target. Beyond a billion float arithmetic has nothing left for a scene. */
+/* Eye and target. Beyond 1e9 floats are too coarse for a scene. */
 const camera = {
     initial: '',
     read(text) {
@@ -156,7 +156,7 @@ export const settings = {
 export const defaults = Object.fromEntries(Object.entries(settings).map(([name, { initial }]) => [name, initial]));
 export const lookOf = scene => ({ ...defaults, ...looks[scene] });
 
-/* [name, value] in an address made before 0.5, as it is called now. */
+/* Returns the present [name, value] of a setting in an address from before version 0.5. */
 function renamed(name, text) {
     if (name === 'behind') return ['thickness', text];
     if (name === 'thickness' && text.trim() && !Number.isNaN(Number(text))) return ['thickness_limit', text];
@@ -165,14 +165,15 @@ function renamed(name, text) {
     return [name, text];
 }
 
-/* The part of an address that a sentence repeats. */
+/* Returns a text as quoted in a sentence, shortened. */
 function quoted(text) {
     const all = [...text.replace(/\p{Cc}|\p{Cs}/gu, '\ufffd')];
     return all.length > 40 ? `${all.slice(0, 40).join('')}…` : all.join('');
 }
 
-/* { set, wrong }: all settings, and a sentence for each that cannot be had, which stays as in before. hash: the address
-   after its #; of a name that is repeated the last counts. limits: { scenes: names, side, pixels: of a picture } */
+/* Returns { set, wrong }: all settings, and a sentence for each refused one, which stays as in before. hash: the
+   address after its #; of a name that is repeated the last counts. limits: { scenes: names, side, pixels: of a picture
+   } */
 export function read(hash, limits, before = defaults) {
     const named = new URLSearchParams(hash).getAll('scene').at(-1) ?? defaults.scene;
     const set = lookOf(scene.read(named, limits) ?? before.scene), wrong = [];
@@ -187,7 +188,7 @@ export function read(hash, limits, before = defaults) {
     return { set, wrong };
 }
 
-/* The address of what is not as the scene has it by itself. */
+/* Returns the address of all settings that differ from the scene's defaults. */
 export function write(set) {
     const short = value => (typeof value === 'string' ? value : +Number(value).toFixed(3));
     const look = lookOf(set.scene);

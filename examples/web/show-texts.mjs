@@ -1,7 +1,7 @@
-/* show-texts.mjs - the texts of the page's last draws, once for WebGL 2 and WebGPU, which gets them in WGSL: bodies in
-   the GLSL that both dialects take. Pure, as settings.mjs is: make web translates them. */
+/* show-texts.mjs - the shaders of the page's last draws, for WebGL 2 and, translated to WGSL by make web, for WebGPU:
+   bodies in the GLSL that both dialects take. It does not use the page. */
 
-/* Of each side: kind 0 ambient light as it is, 1 ambient visibility, 2 light, 3 light and a bounce, 4 the truth. */
+/* Draws a side. kind: 0 unoccluded light, 1 ambient visibility, 2 light, 3 light and a bounce, 4 ground truth. */
 const picture = `
 vec3 harmonics(vec3 n, vec3 band) {
     vec3 l = u_sky[0].xyz * 0.282095 * band.x;
@@ -83,7 +83,7 @@ void main() {
     }
 }`;
 
-/* Blends along edges of luminance [after Lottes 2009, FXAA]. */
+/* Blends pixels along edges of luminance [after Lottes 2009, FXAA]. */
 const smooth = `
 vec3 at(vec2 p) {
     p /= u_size;
@@ -108,7 +108,7 @@ void main() {
     o_colour.rgb = found < least || found > most ? near : far;
 }`;
 
-/* View space normal and depth, for a file. */
+/* Writes view-space normal and depth, for a file. */
 const held = `
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -116,7 +116,7 @@ void main() {
     o_frame = d < 1.0 ? vec4(texelFetch(t_normal, p, 0).xyz, 1.0 / (u_decode.x + u_decode.y * d)) : vec4(0.0);
 }`;
 
-/* Pixels from where a point was in the last frame to where it is. */
+/* Writes how many pixels a point has moved since the last frame. */
 const motion = `
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -126,14 +126,14 @@ void main() {
     o_motion = gl_FragCoord.xy - (was.xy / was.w * 0.5 + 0.5) * u_size;
 }`;
 
-/* The number of the object that is seen, 0: the scene. */
+/* Writes the number of the object that a pixel shows; 0: the scene. */
 const objects = `
 void main() {
     float mark = texelFetch(t_albedo, ivec2(gl_FragCoord.xy), 0).a;
     o_object = mark < 0.25 ? 1u : mark < 0.9 ? 2u : 0u;
 }`;
 
-/* Of each: what it reads, in the order of its units, and its numbers, in std140. */
+/* For each shader: the textures that it reads, in the order of their units, and its uniforms, in std140. */
 export const texts = {
     __proto__: null,
     picture: {
@@ -187,7 +187,7 @@ layout(location = 0) out ${out};`
 };
 export const textOf = (name, dialect) => `${heads[dialect](texts[name])}\n${texts[name].body}`;
 
-/* Numbers of a picture, in the order of its block. sky: nine of three; world: a matrix of three by three. */
+/* Returns shader picture's uniforms, in its block's order. sky: nine of three; world: a matrix of three by three. */
 export const pictureNumbers = ({ sky, world, ray, view, light, range, exposure, effect, step, rough, decode },
                                { sun, kind }, traced) => [
     ...Array.from({ length: 9 }, (_, i) => [...sky.slice(3 * i, 3 * i + 3), 0]).flat(),

@@ -1,5 +1,5 @@
-/* show.mjs - the last draws, onto the canvas: light times albedo, the views that compare, edges smoothed. Left and
-   right are pictures of their own, so that what divides them moves over finished ones. */
+/* show.mjs - the page's last draws, onto the canvas: light times albedo, views that compare, smoothed edges. The left
+   and the right side have textures of their own, so that the line between them moves without drawing them again. */
 import { pictureNumbers, textOf, texts } from './show-texts.mjs';
 
 const vertex = `#version 300 es
@@ -13,7 +13,7 @@ export class Show {
         this.#drawer = drawer;
         this.#block = gl.createBuffer();
         this.#nothing = drawer.texture(1, 1, { internal: gl.RGBA8 });
-        for (const name of ['picture', 'smooth']) this.#program(name);          /* linked while the scene comes */
+        for (const name of ['picture', 'smooth']) this.#program(name);         /* compiled while the scene is fetched */
     }
 
     #program(name) {
@@ -40,8 +40,8 @@ export class Show {
         if (block !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, block, this.#drawer.binding);
     }
 
-    /* A triangle into a target, by the numbers and textures of its text. mean: 0: replaces what is there; n: makes it
-       the mean of n such pictures. */
+    /* Draws a shader's triangle into a target with its uniforms and textures. mean: 0: replaces the content; n: makes
+       it the mean of n images. */
     #draw(name, { framebuffer, width, height }, numbers, textures, mean = 0) {
         const gl = this.#gl, data = new Float32Array(Math.ceil(numbers.length / 4) * 4);
         data.set(numbers);
@@ -81,14 +81,14 @@ export class Show {
         this.#gl.deleteFramebuffer(framebuffer);
     }
 
-    /* So many targets of that size: left and right. */
+    /* Returns targets of that size, for the left and the right side. */
     #fit(list, width, height, internal, count = 2) {
         if (list[0]?.width === width && list[0].height === height) return list;
         const gl = this.#gl;
         for (let i = 0; i < count; ++i) {
             if (list[i]) this.#free(list[i]);
             list[i] = this.#target(width, height, internal);
-            if (count === 1) continue;              /* what smooths them reads between texels */
+            if (count === 1) continue;              /* the shader that smooths edges reads between texels */
             gl.bindTexture(gl.TEXTURE_2D, list[i].texture);
             for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
                 gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
@@ -98,8 +98,8 @@ export class Show {
         return list;
     }
 
-    /* sides: [left, right or null], each { light, bounce, kind, sun: 0 where its light has the sun's }. sample: 0: the
-       picture of this frame; n: the n-th of those whose mean is shown. */
+    /* Draws both sides. sides: [left, right or null], each { light, bounce, kind, sun: 0 if its light includes the
+       sun's }. sample: 0: the image of this frame; n: the n-th of the images whose mean is shown. */
     draw(width, height, bound, sides, look, sample) {
         const gl = this.#gl, targets = sample ? this.#fit(this.#means, width, height, gl.RGBA16F)
             : this.#fit(this.#sides, width, height, gl.RGBA8);
@@ -111,27 +111,27 @@ export class Show {
         this.place(width, height, look.split, look.view === 2 || sample > 0, sample);
     }
 
-    /* What was drawn, divided elsewhere. plain: its edges are as they shall be. */
+    /* Shows the sides as they were drawn, with the line at split. plain: without the smoothing of edges. */
     place(width, height, split, plain, sample) {
         const both = (sample ? this.#means : this.#sides).map(({ texture }) => texture);
         this.#draw('smooth', { framebuffer: null, width, height }, [width, height, split, +plain, 0], both);
     }
 
-    /* A texture for history, of Stage.reprojection. */
+    /* Returns the motion texture for history, from the matrices of Stage.reprojection. */
     motion(width, height, { DEPTH, ALBEDO }, { back, last, moved }) {
         const [target] = this.#fit(this.#moved, width, height, this.#gl.RG16F, 1);
         this.#draw('motion', target, [...back, ...last, ...moved, width, height], [DEPTH, ALBEDO]);
         return target.texture;
     }
 
-    /* A texture of objects' numbers, for fields. */
+    /* Returns a texture of objects' numbers, for fields. */
     objects(width, height, { ALBEDO }) {
         const [target] = this.#fit(this.#numbers, width, height, this.#gl.R8UI, 1);
         this.#draw('objects', target, [0], [ALBEDO]);
         return target.texture;
     }
 
-    /* The G-buffer as numbers: N.X N.Y N.Z Z, bottom row first. */
+    /* Returns the G-buffer's channels N.X N.Y N.Z Z, bottom row first. */
     frame(width, height, { DEPTH, NORMAL }, decode) {
         const gl = this.#gl, target = this.#target(width, height, gl.RGBA32F);
         const all = new Float32Array(4 * width * height);

@@ -1,8 +1,8 @@
-/* sky.mjs - what light comes from each direction of the world, as build/render --env has it. */
+/* sky.mjs - functions that return the radiance of a direction, for the built-in environments of build/render --env. */
 
 const degree = Math.PI / 180;
 
-/* 1 in the middle, 1/2 at the half sizes, 0 from 1.4 of them on */
+/* Returns the weight of a glow: 1 in the middle, 1/2 at its half sizes, 0 from 1.4 of them on. */
 function glowAt([longitude, latitude, wide, high, power], [x, y, z]) {
     const lon = longitude * degree, lat = latitude * degree, level = x * Math.sin(lon) + z * Math.cos(lon);
     const depth = level * Math.cos(lat) + y * Math.sin(lat);
@@ -19,7 +19,7 @@ const windows = [
     [-82, 12, 17, 11, 8, 5.2, 4.6, 3.6], [-128, -40, 11, 7, 6, 7.5, 6.4, 4.6], [10, 74, 5, 5, 2, 14, 10.5, 7]
 ];
 
-/* Radiance of a unit direction, written to out. */
+/* Functions that write the radiance of a unit direction to out. */
 export const skies = {
     __proto__: null,
     sky: { title: 'Clear sky', radiance([x, y, z], out) {
@@ -43,7 +43,7 @@ export const skies = {
     white: { title: 'White', radiance(d, out) { out[0] = out[1] = out[2] = 1; } }
 };
 
-/* The radiance of a picture { rgb, width, height } in each direction: of the texel that it falls into. */
+/* Returns a function that looks up the texel of { rgb, width, height } in a direction, without interpolation. */
 export function radianceOf({ rgb, width, height }) {
     return ([x, y, z], out) => {
         const column = Math.floor((0.5 - Math.atan2(x, z) / (2 * Math.PI)) * width);
@@ -53,8 +53,8 @@ export function radianceOf({ rgb, width, height }) {
     };
 }
 
-/* A picture of rgba, top row first, made so small that a mean of its texels lights what sees them; its mean is 1, as
-   photographs are of any exposure. */
+/* Shrinks an image of rgba, top row first, so far that a few directions sample all of its light, and scales its mean to
+   1, because the exposure of photographs varies. */
 export function skyOf(rgba, from, width, height) {
     const rgb = new Float32Array(3 * width * height);
     const range = (i, n, of) => [Math.floor(i * of / n), Math.max(Math.floor((i + 1) * of / n),
@@ -67,7 +67,7 @@ export function skyOf(rgba, from, width, height) {
                 for (let c = 0; c < 3; ++c) {
                     const v = rgba[4 * (y * from.width + x) + c];
                     if (!Number.isFinite(v)) throw new Error(`texel ${x}, ${y} is ${v}; must be finite`);
-                    /* what resampled them leaves some a little below 0 */
+                    /* resampling leaves some values a little below 0 */
                     rgb[3 * i + c] += Math.max(0, v) / ((right - left) * (bottom - top));
                 }
     }
@@ -81,7 +81,7 @@ export function skyOf(rgba, from, width, height) {
     return { rgb: rgb.map(v => v * weights / sum), width, height };
 }
 
-/* The same as a picture, latitude-longitude: +y up, its centre toward +z, +x left of that. */
+/* Returns a built-in environment as a latitude-longitude image: +y up, its centre toward +z, +x left of that. */
 export function equirect(name, width, height) {
     const rgb = new Float32Array(3 * width * height), d = [0, 0, 0], out = [0, 0, 0];
     for (let y = 0; y < height; ++y)

@@ -1,14 +1,14 @@
-/* stage.mjs - the host: three.js keeps scene, camera and sun, and draws once what ssgi reads: depth, normals in view
-   space, albedo, and beside them what the sun lights. Its materials stay its own, two outputs added. The albedo's
-   fourth component tells objects apart. */
+/* stage.mjs - the host of ssgi: three.js has scene, camera and sun, and draws the inputs of ssgi in one pass: depth,
+   normals in view space, albedo, and beside them what the sun lights. Its materials stay its own, two outputs added.
+   The albedo's fourth component tells objects apart. */
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Behind, rawOf, resetState, writes } from './three.mjs';
 
-/* Albedo's fourth component on object 0, the scene; 1, which moves; 2, a model of the visitor's. */
+/* Albedo's fourth component on object 0, the scene; on 1, the moving object; on 2, the visitor's model. */
 const marks = ['1.0', '0.0', '0.75'];
 
-/* Outputs 1 and 2 of a material of three's, which turns its normal to the side that is seen. */
+/* Makes a material of three.js write outputs 1 and 2, normal and albedo. three turns the normal to the visible side. */
 function seen(material) {
     writes(material, [{ name: 'g_normal', is: 'vec4(normal, 0.0)' },
                       { name: 'g_albedo', is: `vec4(diffuseColor.rgb, ${marks[material.userData.object]})` }]);
@@ -37,7 +37,7 @@ export class Stage {
         this.controls = new OrbitControls(this.camera, canvas);
         this.controls.enableDamping = false;
         this.controls.zoomToCursor = true;
-        this.controls.listenToKeyEvents(canvas);            /* arrows move, with shift they turn */
+        this.controls.listenToKeyEvents(canvas);            /* arrow keys move the view, with shift they turn it */
         this.sun = new THREE.DirectionalLight(0xffffff, 3.2);
         this.sun.color.setRGB(1, 0.89, 0.74);
         this.sun.castShadow = true;
@@ -61,7 +61,7 @@ export class Stage {
         this.#target.textures[2].type = THREE.UnsignedByteType;
     }
 
-    /* What is seen from now on: info tells where from, and the radius. */
+    /* Shows a scene from now on; info has its camera and radius. */
     show(model, info) {
         if (this.#model) {
             this.scene.remove(this.#model);
@@ -87,8 +87,7 @@ export class Stage {
         this.#aim();
     }
 
-    /* The sun's map covers all that casts, as build/render's widest one does, as deep as the scene is: what is beside
-       that nothing shadows. */
+    /* Fits the sun's shadow map around all that casts, as build/render's widest map is, and as deep as the scene. */
     #aim() {
         const { shadow, position, target } = this.sun, { camera } = shadow, to = this.#toSun;
         camera.up.set(+(Math.abs(to.y) >= 0.9), +(Math.abs(to.y) < 0.9), 0);
@@ -105,7 +104,7 @@ export class Stage {
         shadow.bias = -0.0008;
         this.renderer.shadowMap.needsUpdate = true;
     }
-    /* What casts, and where something circles. */
+    /* Returns the bounds of all that casts, with the circle of the moving object. */
     #reached() {
         const { info, mover } = this, box = this.#casts.clone();
         if (!mover) return box;
@@ -113,7 +112,7 @@ export class Stage {
             .setFromCenterAndSize(new THREE.Vector3(...info.target), new THREE.Vector3().setScalar(5.6 * info.radius)));
     }
 
-    /* Degrees from +z toward +x, and above the horizon; 1 is the strength that goes with the clear sky. */
+    /* Sets the sun: degrees from +z toward +x, and above the horizon; strength 1 suits the clear sky. */
     shine(azimuth, height, strength) {
         const lon = azimuth * Math.PI / 180, lat = height * Math.PI / 180, level = Math.cos(lat);
         this.#toSun.set(Math.sin(lon) * level, Math.sin(lat), Math.cos(lon) * level);
@@ -121,7 +120,7 @@ export class Stage {
         this.#aim();
     }
 
-    /* The same sun for the library: the way to it and its irradiance, in the world; the view of its map. */
+    /* Returns the sun for the library: the way to it and its irradiance, in the world; the matrices of its map. */
     get sunlight() {
         const { color, intensity, shadow: { camera, mapSize } } = this.sun;
         camera.updateMatrixWorld();
@@ -130,8 +129,8 @@ export class Stage {
                  worldToLight: camera.matrixWorldInverse.elements };
     }
 
-    /* Something that circles about the view's target, in seconds; null: nothing does. Its matrix, now and before, in
-       mover.now and mover.before. */
+    /* Moves an object around the view's target to its place at that time; null: removes it. Its matrices of this and
+       the last frame are mover.now and mover.before. */
     move(seconds) {
         if (seconds === null) {
             this.mover?.mesh.removeFromParent();
@@ -162,8 +161,8 @@ export class Stage {
     #onCircle({ at, far }, turn) {
         return at.clone().add(new THREE.Vector3(Math.sin(turn) * far, 0, Math.cos(turn) * far));
     }
-    /* A circle about the view's target, as high above it as it takes for more than half of it to be seen, and the width
-       of what moves there, at least a part of the picture. */
+    /* Chooses the moving object's circle about the view's target, so high that more than half of it is visible, and the
+       object's width, at least a sixth of half the image's height. */
     #around() {
         const { info } = this, eye = new THREE.Vector3(...info.eye), target = new THREE.Vector3(...info.target);
         const half = eye.distanceTo(target) * Math.tan(info.fovy * Math.PI / 360);
@@ -181,8 +180,8 @@ export class Stage {
         return best;
     }
 
-    /* For where each pixel was in the last frame that asked: the way back from here, and there, of what rests and of
-       what moves. */
+    /* Returns matrices that find each pixel in the last frame that asked: from this view to the world, and from there
+       to the last view, for resting and for moving things. */
     reprojection() {
         const { camera, mover } = this, now = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
         const last = this.#seenFrom ?? now, moved = last.clone();
@@ -191,10 +190,10 @@ export class Stage {
         return { back: now.clone().invert().elements, last: last.elements, moved: moved.elements };
     }
 
-    /* So many pixels to the side the picture is drawn, for edges that are averaged. */
+    /* Moves the projection by that many pixels, for the mean of images that smooths edges. */
     jitter(x, y) {
         const { camera, info } = this, { elements } = camera.projectionMatrix;
-        /* from afar all is seen, too, as far as 16 bits tell depths */
+        /* the far plane holds the whole scene, as far as 16-bit floats hold depth */
         const { center, radius } = this.#all.getBoundingSphere(new THREE.Sphere());
         camera.far = Math.max(info.far, Math.min(camera.position.distanceTo(center) + radius, 65504));
         camera.updateProjectionMatrix();
@@ -203,7 +202,7 @@ export class Stage {
         camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
     }
 
-    /* Turns the view about its target, radians. */
+    /* Turns the view about its target by radians. */
     circle(by) {
         const { camera, controls } = this;
         camera.position.sub(controls.target).applyAxisAngle(new THREE.Vector3(0, 1, 0), by).add(controls.target);
@@ -211,7 +210,7 @@ export class Stage {
         camera.updateMatrixWorld();
     }
 
-    /* Narrow pictures see as far to the sides as those a little wider than high. */
+    /* Widens the vertical angle of narrow images, so that they show as much to the sides as at 5:4. */
     #widen() {
         const half = Math.tan((this.info?.fovy ?? 50) * Math.PI / 360), { camera } = this;
         camera.fov = Math.atan(half * Math.max(1, 1.25 / camera.aspect)) * 360 / Math.PI;
@@ -226,8 +225,8 @@ export class Stage {
         this.camera.updateMatrixWorld();
     }
 
-    /* The G-buffer, as three's textures are in WebGL. backs: 1: depth of the nearest back face, too; 3: of the next
-       slab's faces beside it. */
+    /* Draws the G-buffer and returns its WebGL textures. backs: 1: also the depth of the nearest back face; 3: also
+       those of the next slab's two faces. */
     draw(backs) {
         const { renderer, scene, camera } = this, raw = texture => rawOf(renderer, texture);
         resetState(renderer);
@@ -241,24 +240,24 @@ export class Stage {
                  SHADOW: raw(this.sun.shadow.map.depthTexture), BACK: back ? raw(back) : null };
     }
 
-    /* The scene's triangles in the world, or those of one object of it. */
+    /* Returns the scene's triangles in world space, or those of one of its objects. */
     triangles(object = null) {
         return trianglesOf(this.#model, ({ userData }) => object === null || userData.object === object);
     }
-    /* Those of what moves in its own space, or where it is now. */
+    /* Returns the moving object's triangles in its own space or, if placed, in world space. */
     moverTriangles(placed = false) {
         const { mesh, now } = this.mover;
         return trianglesOf(mesh, () => true, placed ? now : new THREE.Matrix4());
     }
 
-    /* All that is seen, where it is now. */
+    /* Returns all triangles in world space. */
     everything() {
         const scene = this.triangles(), moves = this.mover && this.moverTriangles(true);
         if (!moves) return scene;
         return { position: joined([scene.position, moves.position]), normal: joined([scene.normal, moves.normal]) };
     }
 
-    /* What stands in the scene on its own: title, number in the G-buffer, its triangles and the way to the world. */
+    /* Returns the objects that can have fields: title, number in the G-buffer, triangles and matrix to the world. */
     objects() {
         const all = [], { info, mover } = this;
         if (mover)
@@ -273,7 +272,7 @@ export class Stage {
 
 let shown = 0;                                      /* scenes so far */
 
-/* Nine floats a triangle; matrix: null: as parts lie in the world. */
+/* Returns triangles of wanted materials, nine floats each. matrix: from their own space; null: to world space. */
 function trianglesOf(root, wanted, matrix = null) {
     const position = [], normal = [], p = new THREE.Vector3(), turn = new THREE.Matrix3();
     root.updateMatrixWorld(true);

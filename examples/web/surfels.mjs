@@ -1,8 +1,8 @@
-/* surfels.mjs - what deep screen space draws from: surfels of the scene as the camera sees it, made in a worker. Until
-   those of a new view are there those of the last one are turned into it: they stay where they are in the world. */
+/* surfels.mjs - the surfels of deep screen space, which a worker makes of the scene for a camera. Until those of a new
+   view are ready, the last ones are drawn at their places in the world. */
 import { Matrix4 } from 'three';
 
-/* Positions and normals of so many surfels, from one view space into another. */
+/* Transforms positions and normals of count surfels from one view space into another. */
 function turned(out, from, first, count, { elements: m }) {
     for (let i = 12 * first, end = 12 * (first + count); i < end; i += 12)
         for (let k = 0; k < 3; ++k) {
@@ -14,10 +14,10 @@ function turned(out, from, first, count, { elements: m }) {
 export class Surfels {
     #gl; #ssgi; #changed; #loading; #worker = null; #scene = null; #mover = null; #id = 0; #asked = ''; #next = null;
     #made = null;                                   /* { surfels, counts, views, scene } */
-    #buffer = null; #array = null; #held = '';      /* what the buffer has, and for which view */
+    #buffer = null; #array = null; #held = '';      /* #held: the view for which the buffer has surfels */
     busy = false;
 
-    /* changed(error or null): others are there */
+    /* changed(error or null): called when other surfels are there */
     constructor({ gl, ssgi, changed, loading }) {
         this.#gl = gl;
         this.#loading = loading;
@@ -25,10 +25,10 @@ export class Surfels {
         this.#changed = changed;
     }
 
-    /* Of the scene that is shown? */
+    /* Returns whether there are surfels of the shown scene. */
     ready({ stage }) { return this.#made?.scene === stage.info; }
 
-    /* Those of a view, as the settings have them, are made unless they are or will be. */
+    /* Asks for the surfels of a view with these settings, unless they are there or being made. */
     want({ stage, now, size, radius }) {
         const { width, height, projection } = now, views = this.#views(stage, now).map(v => v && v.toArray());
         const look = { projection, width, height, size, reach: radius, views };
@@ -40,7 +40,7 @@ export class Surfels {
         this.#ask();
     }
 
-    /* To view space, of the scene's part, and of what moves or null. */
+    /* Returns the matrices to view space: of the scene, and of the moving object or null. */
     #views(stage, { toView }) {
         const view = new Matrix4().fromArray(toView);
         return [view, stage.mover && view.clone().multiply(stage.mover.now)];
@@ -83,7 +83,7 @@ export class Surfels {
         this.#ask();
     }
 
-    /* For Run.draw: their vertex array, in this view's space. */
+    /* Returns the inputs for Run.draw: the surfels' vertex array, in this view's space. */
     given({ stage, now }, steps) {
         const gl = this.#gl, views = this.#views(stage, now), { surfels, counts, views: made } = this.#made;
         const key = JSON.stringify(views.map(v => v?.elements));
@@ -107,7 +107,7 @@ export class Surfels {
         return { array: this.#array, instances: count };
     }
 
-    /* Three vec4 an instance, at the places that the splat's text has for them. */
+    /* Opens a vertex array with three vec4 for each instance, at the splat shader's locations. */
     #open(desc) {
         const gl = this.#gl;
         this.#buffer = gl.createBuffer();

@@ -1,4 +1,4 @@
-/* tracer.mjs - a worker that traces the truth of some rows of the picture with the rays of ssgi.h (WebAssembly).
+/* tracer.mjs - a worker that ray-traces the ground truth of some rows of the image by ssgi.h's trace (WebAssembly).
 
    Each pixel's rays are of two halves, A and B, whose errors know nothing of each other: (m - A)(m - B), averaged, is
    the mean square error of m without that of the rays, be they ever so few. */
@@ -7,14 +7,14 @@ import { radianceOf, skies } from './sky.mjs';
 
 let trace = null, normal = null, job = null;
 
-/* Well mixed bits of a number [PCG, O'Neill 2014]. */
+/* Returns a number with well mixed bits [PCG, O'Neill 2014]. */
 function hash(x) {
     x = (Math.imul(x, 747796405) + 2891336453) >>> 0;
     x = Math.imul((x >>> ((x >>> 28) + 4)) ^ x, 277803737) >>> 0;
     return ((x >>> 22) ^ x) >>> 0;
 }
 
-/* Where the rays of a pixel start, its shading normal on the side that is seen. */
+/* Finds the point that a camera ray sees, lifted off its face, and its shading normal on the visible side. */
 function place(eye, way, origin, n) {
     const hit = trace.closest(eye, way, 0, 1e12);
     if (!hit) return false;
@@ -31,7 +31,7 @@ function place(eye, way, origin, n) {
         facing += n[i] * face[i] * side;
     }
     length = (facing < 0 ? -1 : 1) / (Math.sqrt(length) || 1);
-    let far = 0;                                    /* what the hit is rounded by grows with all of these */
+    let far = 0;                                    /* the hit's rounding grows with these coordinates */
     for (let i = 0; i < 3; ++i)
         far = Math.max(far, Math.abs(eye[i]), Math.abs(way[i] * hit.t), Math.abs(eye[i] + way[i] * hit.t));
     for (let i = 0; i < 3; ++i) {
@@ -46,16 +46,16 @@ function begin() {
     job.rows = rows;
     job.origin = new Float64Array(3 * width * rows);
     job.n = new Float32Array(3 * width * rows).fill(NaN);
-    job.lit = new Uint8Array(width * rows);          /* 1: the sun shines there */
+    job.lit = new Uint8Array(width * rows);          /* 1: the sun shines on the pixel */
     job.sums = [new Float32Array(4 * width * rows), new Float32Array(4 * width * rows)];
     job.taken = [new Float32Array(3 * width * rows), new Float32Array(3 * width * rows)];  /* light, by occluders */
     job.radiance = typeof job.sky === 'string' ? skies[job.sky].radiance : radianceOf(job.sky);
     job.order = spread(rows);
-    job.done = 0;                                   /* rows of that order that have been begun */
+    job.done = 0;                                   /* number of rows in that order whose first rays were traced */
     job.round = 0;
 }
 
-/* Rows in an order that soon has some everywhere: every 16th, then those between. */
+/* Returns the rows in an order that soon has some everywhere: every 16th, then those between. */
 function spread(rows) {
     const order = [];
     for (let step = 16; step; step >>= 1)
@@ -63,7 +63,7 @@ function spread(rows) {
     return order;
 }
 
-/* Where a row's rays start. */
+/* Finds the points that a row's pixels show, and whether the sun reaches them. */
 function look(r) {
     const { width, camera, first, every, step } = job, origin = [0, 0, 0], n = [0, 0, 0], way = [0, 0, 0];
     const middle = (step >> 1) + 0.5;
@@ -78,12 +78,12 @@ function look(r) {
     }
 }
 
-/* Whether nothing, however far, is between a place and the sun. */
+/* Returns whether nothing is between a point and the sun, at any distance. */
 function shines(origin, n, to) {
     return n[0] * to[0] + n[1] * to[1] + n[2] * to[2] > 0 && !trace.any(origin, to, 0, 1e12);
 }
 
-/* One ray more of each pixel of some rows, into one half. */
+/* Traces one more ray from each pixel of some rows, and adds it to half A or B. */
 function round(k, firstRow, rows) {
     const { width, first, every, radius, origin, n, radiance, lit, sun } = job;
     const half = k & 1, sums = job.sums[half], taken = job.taken[half], index = k >> 1;
@@ -103,7 +103,7 @@ function round(k, firstRow, rows) {
         from[0] = origin[3 * i];
         from[1] = origin[3 * i + 1];
         from[2] = origin[3 * i + 2];
-        /* Not from 0: a corner that is rounded into the floor would see nothing else. */
+        /* Not from 0: rays from a corner that rounding puts into the floor would all hit the floor. */
         const hit = trace.closest(from, d, 1e-4 * radius, radius), open = hit ? hit.t / radius : 1;
         radiance(d, light);
         const level = lit[i] ? (nx * sun.toSun[0] + ny * sun.toSun[1] + nz * sun.toSun[2]) / Math.PI : 0;
@@ -115,7 +115,7 @@ function round(k, firstRow, rows) {
     }
 }
 
-/* The squares of the errors of no occlusion, summed, from both halves as all errors are. */
+/* Returns the summed squared errors of no occlusion, each the product of the errors against halves A and B. */
 function ofNone() {
     const { sums: [a, b], taken: [c, d], n, round: rays } = job, k = 2 / rays;
     let visibility = 0, light = 0, pixels = 0;
@@ -135,7 +135,7 @@ function work() {
     if (!mine) return;
     if (!mine.sums) begin();
     const begun = mine.done < mine.rows;
-    if (begun) {                                    /* its first two rays row by row, so that something is soon there */
+    if (begun) {                                    /* the first two rays row by row, so that an image is soon there */
         const until = performance.now() + 60;
         do {
             const r = mine.order[mine.done++];
@@ -146,7 +146,7 @@ function work() {
         mine.round = 2;
     } else round(mine.round++, 0, mine.rows);
     const now = performance.now(), even = mine.round % 2 === 0, all = mine.done === mine.rows;
-    const pause = all ? Math.max(400, (now - begunAt) / 8) : 200;   /* seldom where little changes: it costs time */
+    const pause = all ? Math.max(400, (now - begunAt) / 8) : 200;   /* seldom if little changes: sending takes time */
     if (even && (now - told > pause || mine.round >= mine.most || (begun && all))) {
         told = now;
         const sums = mine.sums.map(s => s.slice());
@@ -154,7 +154,7 @@ function work() {
                       none: ofNone(), done: all ? null : mine.order.slice(0, mine.done) }, sums.map(s => s.buffer));
     }
     if (mine.round >= mine.most && all) job = null;
-    setTimeout(work);                               /* after what was heard meanwhile: another job, or none */
+    setTimeout(work);                               /* lets messages come first: another job, or none */
 }
 
 async function take(scene) {

@@ -1,28 +1,29 @@
-/* truth.mjs - the traced truth of the picture as it grows: gives workers their rows, gathers their sums, scores.
+/* truth.mjs - the ray-traced ground truth as it is refined: gives rows to workers, adds their sums, scores.
 
    Every fourth pixel in both ways comes first, then every second, then all: a picture is there after a sixteenth of the
    rays, and an error of these pixels is one of the whole picture. What was traced stays until the finer is as good. */
 
-const steps = [4, 2, 1], enough = 16, good = 8;     /* rays a pixel: to go on to finer steps; to be shown in place */
-const smoothed = 64;                                /* below so many rays what is shown is smoothed */
+/* steps: every 4th, 2nd, then each pixel of a row is traced; enough, good: rays that end a step, that show it */
+const steps = [4, 2, 1], enough = 16, good = 8;
+const smoothed = 64;                                /* with fewer rays a pixel the image is smoothed */
 
-/* Pixel of a picture that a lattice has at i. */
+/* Returns the image's pixel column (or row) of the traced column (or row) i. */
 const pixelAt = (step, i) => (step >> 1) + step * i;
 const latticeSize = (step, size) => Math.floor((size - 1 - (step >> 1)) / step) + 1;
 
 export class Truth {
     #workers = []; #id = 0; #job = null; #growing = null; #shown = null;
 
-    /* changed(error, shown): something came: an error, or rays; whether these are shown. */
+    /* changed(error, shown): called after an error, or when rays arrive; shown: whether the visible step got them. */
     constructor(changed) {
         this.changed = changed;
     }
-    get rays() { return this.#shown?.rays ?? 0; }   /* of each of its pixels at least */
+    get rays() { return this.#shown?.rays ?? 0; }   /* the least number of rays over the image's pixels */
     get step() { return this.#shown?.step ?? 0; }   /* pixels between its pixels */
     get width() { return this.#shown?.width ?? 0; }
     get height() { return this.#shown?.height ?? 0; }
     get rough() { return this.step > 1 || this.rays < smoothed; }
-    /* How far it is traced, 0 to 1: what is seen changes less and less. */
+    /* Returns the finished share, 0 to 1; it grows with the logarithm of rays, because later rays change less. */
     get share() {
         if (!this.#growing) return 0;
         const { step, rays, rows } = this.#growing, done = steps.indexOf(step);
@@ -30,7 +31,7 @@ export class Truth {
             : rays ? Math.log2(1 + rays) / Math.log2(1 + this.#job.most) : 0)) / steps.length;
     }
 
-    /* position, normal: nine numbers a triangle. */
+    /* Sends a scene to the workers. position, normal: nine numbers a triangle. */
     scene({ position, normal }) {
         this.stop();
         if (!this.#workers.length)
@@ -43,7 +44,7 @@ export class Truth {
         this.#workers.forEach(w => w.postMessage({ scene: { position, normal } }));
     }
 
-    /* job: width, height of the picture, camera, sky, sun, radius, most: rays a pixel at last. */
+    /* Begins a ground truth. job: width, height of the image, camera, sky, sun, radius, most: rays a pixel in all. */
     start(job) {
         this.stop();
         this.#job = job;
@@ -89,7 +90,7 @@ export class Truth {
         this.changed(null, this.#shown === of);
     }
 
-    /* For a texture of its width and height: light in rgb, visibility in a; a is -1 where nothing is known. */
+    /* Returns a texture's texels: light in rgb, visibility in a; a is -1 for pixels without rays. */
     texels() {
         const { width, height, sums: [a, b], count } = this.#shown, out = new Float32Array(4 * width * height);
         for (let y = 0, i = 0; y < height; ++y)
@@ -98,10 +99,10 @@ export class Truth {
         return out;
     }
 
-    /* Of a result of the picture's size against it: rmse, the root of the mean square error over the pixels that show
-       something; none, that of no occlusion; worst: the pixel whose error is the largest for certain, beyond twice what
-       its rays leave open, left of the column until: { x, y, off }. null: not all of it is traced. components 1:
-       ambient visibility; 3: light, first three of four. */
+    /* Compares a result of the image's size with it. rmse: root of the mean square error over the pixels that show a
+       surface; none: that of no occlusion; worst: { x, y, off } of the pixel, left of column `until`, whose error most
+       exceeds twice its standard deviation by the rays. null: a pixel has no rays yet. components 1: ambient
+       visibility; 3: light, the first three of four. */
     score(result, components, pictureWidth, until) {
         const { width, height, sums: [a, b], count, step, rays, none } = this.#shown ?? {}, four = components > 1;
         let sum = 0, n = 0, most = 0, worst = null;
@@ -132,8 +133,8 @@ export class Truth {
         return n ? { rmse: root(sum, n), none: root(of, all), worst } : null;
     }
 
-    /* What is known of the pixel, or of its nearest that is traced: visibility, light, and how far visibility may be
-       off, one standard deviation at most; null: nothing is known, or nothing is there. */
+    /* Returns visibility and light of the pixel, or of the nearest traced one, and the standard deviation of visibility
+       at most; null: it has no rays, or shows no surface. */
     at(x, y) {
         const { width, height, sums: [a, b] = [], count, step } = this.#shown ?? {};
         if (!count) return null;

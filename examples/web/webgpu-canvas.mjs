@@ -1,5 +1,5 @@
-/* webgpu-canvas.mjs - the page in WebGPU: a canvas over the one of WebGL 2, which keeps what is touched, and what draws
-   onto it. Fetched when it is asked for. */
+/* webgpu-canvas.mjs - the page in WebGPU: a canvas above that of WebGL 2, which still gets the pointer's events. It is
+   fetched if the user asks for WebGPU. */
 import { fetchFile } from './fetch.mjs';
 import { Drawer } from './webgpu-steps.mjs';
 import { Scene } from './webgpu-scene.mjs';
@@ -18,7 +18,7 @@ async function deviceOf() {
     return { device, info: adapter.info };
 }
 
-/* canvas: of WebGL 2. gone: called with a sentence when the device is lost. What cannot be is thrown as a sentence. */
+/* Opens WebGPU. canvas: of WebGL 2. gone: called with a sentence when the device is lost. Failures throw a sentence. */
 export async function open(ssgi, canvas, gone) {
     const keys = await (await fetchFile('wgsl/list.json')).json();
     if (!keys.length) fail('This page was made without texts in WGSL');

@@ -1,6 +1,6 @@
-/* webgpu-keys.mjs - names of translated texts, for the page and for what makes it. */
+/* webgpu-keys.mjs - the names of translated shaders' files, for the page and for make web. */
 
-/* Counts are constants that a pipeline is given: texts that differ in nothing else are one. */
+/* Removes the values of constants, which a pipeline sets: shaders that differ in nothing else share a file. */
 export const bare = glsl => glsl.replace(/^(layout\(constant_id = \d+\) const int \w+ =) .*;$/gm, '$1;');
 export function keyOf(glsl) {                       /* [FNV-1a] */
     let hash = 0x811c9dc5;

@@ -121,7 +121,7 @@ const halved = `
     let size = max(textureDimensions(t_whole) / 2, vec2u(1));
     return textureSampleLevel(t_whole, s_whole, p.xy / vec2f(size), 0); }`;
 
-const partSize = 256, corner = 14;                  /* bytes of a Part; floats of a Corner */
+const partSize = 256, corner = 14;                  /* bytes of the struct Part; floats of the struct Corner */
 const shadowSize = 2048;
 const columns = ({ elements: e }) => [e[0], e[1], e[2], 0, e[3], e[4], e[5], 0, e[6], e[7], e[8], 0];   /* of a mat3 */
 const wraps = { [THREE.RepeatWrapping]: 'repeat', [THREE.ClampToEdgeWrapping]: 'clamp-to-edge',
@@ -130,7 +130,7 @@ const wraps = { [THREE.RepeatWrapping]: 'repeat', [THREE.ClampToEdgeWrapping]: '
 export class Scene {
     #device; #layouts; #pipelines; #frame; #sun; #shadow; #parts = null; #room = 0; #white; #size = {};
     #target = null; #back = []; #slabs = null; #materials = new WeakMap();
-    #textures = new Map(); #geometries = new Map();     /* of three's, freed with its materials and geometries */
+    #textures = new Map(); #geometries = new Map();     /* keys: three's textures and geometries */
     #samplers = new Map(); #shadowed = false;
 
     constructor(device) {
@@ -153,7 +153,7 @@ export class Scene {
         device.queue.writeTexture({ texture: this.#white }, new Uint8Array(4).fill(255), {}, [1, 1]);
     }
 
-    /* Made side by side; a promise. */
+    /* Compiles the pipelines side by side; returns a promise. */
     async link() {
         const device = this.#device, module = device.createShaderModule({ code: text }), all = this.#layouts;
         const corners = [[0, 3], [12, 3], [24, 4], [40, 4]].map(([offset, n], shaderLocation) =>
@@ -179,7 +179,7 @@ export class Scene {
         this.#pipelines = { surface, sun, peels: [0, 2, 4].map(i => peels.slice(i, i + 2)) };
     }
 
-    /* ---- what three has, in buffers and textures */
+    /* ---- three's geometries and textures, in buffers and textures of WebGPU */
 
     #geometry(mesh) {
         const { geometry } = mesh, posed = mesh.isSkinnedMesh || mesh.morphTargetInfluences?.length;
@@ -228,7 +228,7 @@ export class Scene {
         return texture;
     }
 
-    /* Each level is the one before, halved. */
+    /* Makes the mip levels of a texture: each is half as wide as the one before. */
     #shrink(texture, levels) {
         const device = this.#device, { format } = texture, encoder = device.createCommandEncoder();
         const view = baseMipLevel => texture.createView({ baseMipLevel, mipLevelCount: 1 });
@@ -244,7 +244,7 @@ export class Scene {
         const filters = !from ? { minFilter: 'linear', magFilter: 'linear' } : {
             minFilter: filter(from.minFilter), magFilter: filter(from.magFilter),
             mipmapFilter: /Nearest$/.test(from.minFilter) ? 'nearest' : 'linear' };
-        const smooth = Object.values(filters).every(kind => kind === 'linear');     /* else it may not be anisotropic */
+        const smooth = Object.values(filters).every(kind => kind === 'linear');    /* anisotropy needs linear filters */
         const like = !from ? filters : { addressModeU: wraps[from.wrapS], addressModeV: wraps[from.wrapT], ...filters,
                                          maxAnisotropy: smooth ? from.anisotropy : 1 };
         const key = JSON.stringify(like);
@@ -273,7 +273,7 @@ export class Scene {
         return this.#materials.get(material);
     }
 
-    /* ---- what is drawn: a part for each material of each mesh, and each place of one that is instanced */
+    /* ---- the list of draws: a part for each material of each mesh, and for each instance */
 
     #list(scene) {
         const list = [], matrix = new THREE.Matrix4();
@@ -295,7 +295,7 @@ export class Scene {
         return list;
     }
 
-    /* Twice a part: as the camera sees it, as the sun does. */
+    /* Writes each part's uniforms twice: for the camera and for the sun. */
     #fill(list, camera, sun) {
         const device = this.#device, data = new Float32Array(2 * list.length * partSize / 4);
         const to = new THREE.Matrix4(), normal = new THREE.Matrix3(), none = new THREE.Matrix3();
@@ -358,7 +358,7 @@ export class Scene {
         this.#slabs = null;
     }
 
-    /* As Stage.draw does; width, height: of the picture. */
+    /* Draws the G-buffer as Stage.draw does; width, height: those of the image. */
     draw(stage, backs, width, height) {
         const { scene, camera, sun, renderer } = stage, device = this.#device, encoder = device.createCommandEncoder();
         this.#fit(width, height);
@@ -416,10 +416,10 @@ export class Scene {
     }
 }
 
-/* Bitmaps are the way up that their loader asked for. */
+/* Bitmaps are already turned as their loader asked for. */
 const isBitmap = image => typeof ImageBitmap !== 'undefined' && image instanceof ImageBitmap;
 
-/* The triangles of a mesh with bones or morphs where these hold them. */
+/* Returns the triangles of a mesh with its bones or morphs applied. */
 function asPosed(mesh) {
     const shape = mesh.geometry.clone(), { position } = shape.attributes, p = new THREE.Vector3();
     const at = new Float32Array(3 * position.count);

@@ -1,5 +1,5 @@
-/* webgpu-show.mjs - the last draws in WebGPU: what show.mjs is for WebGL 2, by the same texts, translated when the page
-   is made. Row 0 is the bottom one, until the picture is put onto the canvas. */
+/* webgpu-show.mjs - the page's last draws in WebGPU, as show.mjs does them in WebGL 2, by the same shaders, translated
+   by make web. Row 0 is the bottom one, until the image is drawn onto the canvas. */
 import { fetchFile } from './fetch.mjs';
 import { pictureNumbers, textOf, texts } from './show-texts.mjs';
 import { keyOf } from './webgpu-keys.mjs';
@@ -24,7 +24,7 @@ export class Show {
         }));
     }
 
-    /* A triangle into a texture, as Show of show.mjs draws it. held: what its numbers are kept as */
+    /* Draws a shader's triangle into a texture, as #draw of show.mjs does. held: the key of its uniform buffer */
     #draw(name, into, numbers, textures, mean = 0, held = name) {
         const device = this.#device, data = new Float32Array(Math.ceil(numbers.length / 4) * 4);
         data.set(numbers);
@@ -46,7 +46,7 @@ export class Show {
         return list;
     }
 
-    /* As Show.draw of show.mjs. */
+    /* Draws both sides as Show.draw of show.mjs does. */
     draw(width, height, bound, sides, look, sample) {
         const targets = sample ? this.#fit(this.#means, width, height, 'rgba16float')
             : this.#fit(this.#sides, width, height, 'rgba8unorm');
@@ -69,7 +69,7 @@ export class Show {
                    `place ${upright}`);
     }
 
-    /* What is on the canvas, bottom row first. */
+    /* Returns the canvas's pixels, bottom row first. */
     placed(width, height, split, plain, sample) {
         const texture = this.#device.createTexture({ size: [width, height], format: 'rgba8unorm', usage: 1 | 4 | 16 });
         this.#put(texture, width, height, split, plain, sample, 0);

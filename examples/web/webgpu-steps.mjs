@@ -1,12 +1,12 @@
-/* webgpu-steps.mjs - the interface of webgl.mjs on WebGPU. Texts in WGSL are translated when the page is made. */
+/* webgpu-steps.mjs - the interface of webgl.mjs on WebGPU. The shaders in WGSL are translated by make web. */
 import { fetchFile } from './fetch.mjs';
 import { Passes } from './webgpu.mjs';
 import { keyOf } from './webgpu-keys.mjs';
 import { texelsOf } from './webgpu-texels.mjs';
 
-const usage = { texture: 1 | 2 | 4 | 16, uniform: 64 | 8 };                     /* bits of GPUTextureUsage and so on */
+const usage = { texture: 1 | 2 | 4 | 16, uniform: 64 | 8 };     /* sums of bits of GPUTextureUsage and GPUBufferUsage */
 
-/* Steps of Ssgi.steps as a plan. */
+/* Returns the steps of Ssgi.steps with the textures that each reads and writes. */
 function planOf(ssgi, steps) {
     const textures = [];
     for (const { outputs, width, height } of steps)
@@ -30,7 +30,7 @@ export class Drawer {
     dialect = 'VULKAN';
     language = 'WGSL';
 
-    /* keys: of the texts that there are in WGSL */
+    /* keys: those of the shaders that exist in WGSL */
     constructor(device, ssgi, keys) {
         this.#device = device;
         this.#ssgi = ssgi;
@@ -42,10 +42,10 @@ export class Drawer {
 
     #key(desc, stage) { return keyOf(this.#ssgi.shader(desc, stage)); }
 
-    /* Of a pass that is drawn. */
+    /* Returns the shader of a pass that has been drawn. */
     shader(desc, stage = 'frag') { return this.#texts.get(this.#key(desc, stage)) ?? ''; }
 
-    /* Why a chain cannot be drawn; null: it can. */
+    /* Returns why a chain cannot be drawn; null: it can. */
     lacks(chain) {
         for (const { desc, inputs, blend } of this.#ssgi.steps(chain)) {
             const strange = inputs.find(({ meaning }) => meaning && !given.includes(meaning));
@@ -69,7 +69,7 @@ export class Drawer {
     texture(width, height, format, layers = 0) {
         return this.#device.createTexture({ format, size: [width, height, layers || 1], usage: usage.texture });
     }
-    /* Four floats a texel, the first row first; into: a texture of that size, or a new one is made. */
+    /* Uploads four floats a texel, the first row first, to the texture into, which has that size, or to a new one. */
     floats(rgba, width, height, layers = 0, into = this.texture(width, height, 'rgba32float', layers)) {
         this.#device.queue.writeTexture({ texture: into }, rgba, { bytesPerRow: 16 * width }, [width, height]);
         return into;
@@ -86,7 +86,7 @@ export class Drawer {
     run(chain) { return new Run(this.#device, this.#ssgi, this, chain); }
 }
 
-/* A chain with its targets, of one size. */
+/* A chain with its targets, which have one size. */
 class Run {
     #device; #passes; #block; #clock = null; #fresh = null; #wrong = null; #linked = false; #freed = false;
     format = null;

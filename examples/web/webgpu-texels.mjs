@@ -6,7 +6,7 @@ const text = `
 @fragment fn texel(@builtin(position) p: vec4f) -> @location(0) vec4f {
     return textureLoad(picture, vec2u(p.xy), 0); }`;
 
-/* A promise of its texels, four floats each, the first row first. */
+/* Returns a promise of a texture's texels, four floats each, the first row first. */
 export async function texelsOf(device, texture) {
     const { width, height } = texture, bytesPerRow = Math.ceil(width / 16) * 256, format = 'rgba32float';
     const encoder = device.createCommandEncoder();

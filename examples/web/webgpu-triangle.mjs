@@ -1,9 +1,9 @@
-/* webgpu-triangle.mjs - a triangle over all of a texture of WebGPU, by a text that reads others. */
+/* webgpu-triangle.mjs - draws a triangle that covers a texture of WebGPU, by a shader that reads other textures. */
 
 const vertex = `
 @vertex fn all(@builtin(vertex_index) v: u32) -> @builtin(position) vec4f {
     return vec4f(f32(v & 1) * 4 - 1, f32(v >> 1) * 4 - 1, 0, 1); }`;
-const pipelines = new WeakMap();                    /* of a device: by text and target */
+const pipelines = new WeakMap();                    /* for each device, the pipelines by shader and target format */
 
 function pipelineOf(device, code, format, blends) {
     const key = `${format} ${blends} ${code}`;
@@ -17,8 +17,8 @@ function pipelineOf(device, code, format, blends) {
     return all.get(key);
 }
 
-/* code: of the fragment; bound: its bindings in their order. mean: 0: replaces what is there; n: makes it the mean of n
-   such pictures. */
+/* Draws the triangle. code: of the fragment shader; bound: its bindings' resources in order. mean: 0: replaces the
+   content; n: makes it the mean of n images. */
 export function drawTriangle(device, encoder, code, { view, format }, bound, mean = 0) {
     const pipeline = pipelineOf(device, code, format, mean > 1);
     const pass = encoder.beginRenderPass({ colorAttachments: [

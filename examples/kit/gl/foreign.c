@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Channels of a view layer as Blender writes them: LAYER.Depth.Z and so on. */
+/* Indices of a view layer's channels as Blender names them: LAYER.Depth.Z and so on. */
 enum { DEPTH, NORMAL, COLOUR = 4, LIGHT = 7, PASSES = 10 };
 static const struct { const char *theirs, *ours; } pass_names[PASSES] = {
     { "Depth.Z", "Z" },          { "Normal.X", "N.X" },       { "Normal.Y", "N.Y" },       { "Normal.Z", "N.Z" },
@@ -11,7 +11,7 @@ static const struct { const char *theirs, *ours; } pass_names[PASSES] = {
     { "DiffDir.G", "direct.G" }, { "DiffDir.B", "direct.B" }
 };
 
-/* The channel's number, or -1. */
+/* Returns the index of the frame's channel of that name, or -1. */
 static int number_of(const kit_image *frame, const char *name)
 {
     for (int c = 0; c < frame->channels; ++c)
@@ -27,7 +27,7 @@ static int pass_of(const kit_image *frame, const char *layer, int pass)
 }
 
 /* Lists all channels, or all view layers with a depth, in text, as far as there is room, and returns their number. one
-   gets the last layer. */
+   gets the name of the last layer. */
 static int list(char *text, size_t size, const kit_image *frame, int layers, char one[32])
 {
     size_t length = 0;
@@ -75,8 +75,8 @@ static int passes_there(const kit_image *frame, const char *layer, int first, in
     return 1;
 }
 
-/* Takes depth (1e10 = background), world-space normals, the colour of diffuse surfaces and, if that exists, the direct
-   light on them. */
+/* Takes a view layer's depth (1e10 = background), world-space normals, the colour of diffuse surfaces and, if that
+   exists, the direct light on them. */
 static int take_layer(kit_image *frame, const char *layer, const kit_camera *camera, int placed, kit_error *err)
 {
     const size_t pixels = (size_t)frame->width * (size_t)frame->height;

@@ -76,10 +76,10 @@ static const char fragment_source[] =
     "    o_albedo = vec4(v_albedo, 1.0);\n"
     "}\n";
 
-/* position, normal, facing, albedo, the object's number, two floats of padding */
+/* floats of position, normal, facing, albedo, the object's number, and two of padding */
 enum { VERTEX_FLOATS = 15 };
 
-/* The triangles as vertices. facing is the face's normal. */
+/* Returns the mesh's triangles as vertices. Their attribute facing is the face's normal. */
 static float *vertices_new(const kit_mesh *mesh)
 {
     float *vertices = malloc(mesh->triangles * 3 * VERTEX_FLOATS * sizeof *vertices + 1);
@@ -108,7 +108,7 @@ static float *vertices_new(const kit_mesh *mesh)
     return vertices;
 }
 
-/* The mesh that kit_mesh_keep uploaded. */
+/* the mesh that kit_mesh_keep uploaded */
 static struct { const kit_mesh *mesh; kit_soup soup; } kept;
 
 static int soup_open(kit_soup *soup, const kit_mesh *mesh, kit_error *err)
@@ -150,7 +150,7 @@ static GLuint begin(const kit_gbuffer *g, GLuint program)
     GLuint framebuffer;
     kit_camera_matrices(&g->camera, view, projection);
     memcpy(projection, g->projection, sizeof projection);
-    /* A distant orthographic eye would round depths; they are drawn relative to the near plane. */
+    /* Floats would round the depths of a distant orthographic eye; they are drawn relative to the near plane. */
     if (!(g->camera.fovy > 0) && g->camera.znear > g->camera.zfar - g->camera.znear) {
         const double near = (double)g->camera.znear;
         double axes[3][3], eye = near;
@@ -227,7 +227,7 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, GLuint program, int 
     if (peels) {
         for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
         glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, view_depth[1], 0);
-        glClearBufferfv(GL_COLOR, 2, zero);                    /* the previous depth of the first layer: 0 */
+        glClearBufferfv(GL_COLOR, 2, zero);                    /* PEEL's previous depth for the first layer is 0 */
         glActiveTexture(GL_TEXTURE0);
     }
     for (int layer = 0; layer < (peels ? g->layers : 1) && complete; layer++) {
@@ -364,7 +364,7 @@ int kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, k
     return 0;
 }
 
-/* Three planes of texels as one texture of four components, with the rows in the same order. */
+/* Packs three planes of texels as one array of four components, with the rows in the same order. */
 static GLuint packed_slabs(const kit_gbuffer *g, const float *planes)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -406,7 +406,7 @@ int kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, k
     return 0;
 }
 
-/* sets the camera's planes from the frame's depths if they are 0 */
+/* Sets the camera's near and far planes, if they are 0, from the frame's depths. */
 static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
 {
     float nearest = FLT_MAX, farthest = 0;
@@ -416,7 +416,7 @@ static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
             farthest = z[i] > farthest ? z[i] : farthest;
         }
     if (farthest <= 0) { nearest = 1; farthest = 100; }
-    if (!(camera->fovy > 0) && !(camera->znear > 0)) {     /* near the eye, where depth then begins */
+    if (!(camera->fovy > 0) && !(camera->znear > 0)) {     /* place the plane near the eye, where depth then begins */
         const float spare = 1e-3f * nearest + 0.01f * (farthest - nearest);
         camera->znear = nearest - spare;
         if (!(camera->zfar > 0)) camera->zfar = farthest + spare;
@@ -426,7 +426,7 @@ static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
     if (!(camera->zfar > camera->znear)) camera->zfar = 2.0f * camera->znear;
 }
 
-/* Channels of a layer; only the first layer has DIRECT. */
+/* indices of a layer's channels; only the first layer has DIRECT */
 enum { Z, N, ALBEDO = 4, DIRECT = 7, CHANNELS = 10 };
 static const char *const channel_names[CHANNELS] =
     { "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B", "direct.R", "direct.G", "direct.B" };
@@ -439,8 +439,8 @@ static void channel_name(char out[32], int layer, int c)
     else       snprintf(out, 32, "%s", channel_names[c]);
 }
 
-/* Finds channels first .. last - 1 of a layer: 1 if it has all, 0 if none, -1 if some; the error names a missing
-   one. */
+/* Finds channels first .. last - 1 of a layer. Returns 1 if it has all, 0 if none, -1 if some; the error names a
+   missing one. */
 static int channels_find(const float **channel, const kit_image *frame, int layer, int first, int last, kit_error *err)
 {
     char name[32], missing[32] = "";
@@ -459,11 +459,11 @@ static int channels_find(const float **channel, const kit_image *frame, int laye
                                   missing);
 }
 
-/* The channels that a frame has. */
+/* The planes of a frame's channels; NULL: the frame lacks the channel. */
 typedef struct frame_channels {
     const float *layer[KIT_MAX_LAYERS][CHANNELS], *slab[3], *motion[2];
     int          layers, normals, colours, lit;
-    size_t       slabs;                    /* 0; 1: the nearest back face; 3: two slabs */
+    size_t       slabs;                    /* 0: none; 1: the nearest back face; 3: two slabs */
 } frame_channels;
 
 static int channels_of(frame_channels *f, const kit_image *frame, kit_error *err)
@@ -494,7 +494,7 @@ static int channels_of(frame_channels *f, const kit_image *frame, kit_error *err
     return 0;
 }
 
-/* The frame's index of texel i of a texture, whose rows run the other way. */
+/* Returns the frame's index of texel i of a texture, whose rows run the other way. */
 static size_t frame_row(const kit_gbuffer *g, size_t i)
 {
     const size_t width = (size_t)g->width;
@@ -523,7 +523,7 @@ static void take_texel(const kit_gbuffer *g, const frame_channels *f, size_t at,
     }
 }
 
-/* room: 9 floats a texel of each layer and 4 more a texel, all 0 */
+/* Fills the textures of all layers from the frame. room: 9 floats a texel of each layer and 4 more a texel, all 0 */
 static void take_layers(kit_gbuffer *g, const frame_channels *f, float *room)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height, all = (size_t)g->layers * texels;
@@ -540,7 +540,7 @@ static void take_layers(kit_gbuffer *g, const frame_channels *f, float *room)
         g->layer_albedo = kit_texture_array(g->width, g->height, g->layers - 1, GL_RGBA16F, albedo + 4 * texels);
 }
 
-/* Fills the textures of back faces and motion from the frame; room as above. */
+/* Fills the textures of back faces and motion from the frame; room as for take_layers. */
 static void take_slabs_and_motion(kit_gbuffer *g, const frame_channels *f, float *room)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -552,7 +552,7 @@ static void take_slabs_and_motion(kit_gbuffer *g, const frame_channels *f, float
     if (f->slabs > 1) g->slabs = packed_slabs(g, room);
     if (!f->motion[0] || !f->motion[1]) return;
     for (size_t i = 0; i < texels; i++)
-        for (size_t c = 0; c < 2; c++) {   /* bottom row first, +y up */
+        for (size_t c = 0; c < 2; c++) {   /* the frame's +y is up in channel 1; rows are bottom first */
             const float v = f->motion[c][frame_row(g, i)];
             room[2 * i + c] = !isfinite(v) ? 0 : c ? -v : v;
         }
@@ -589,7 +589,7 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
     return 0;
 }
 
-/* Window depth to view depth, 0 for the clear value; by the projection matrix, so that it holds for any frustum. */
+/* Converts window depth to view depth, the clear value to 0; by the projection matrix, so for any frustum. */
 static double view_depth(const kit_gbuffer *g, double depth)
 {
     const float *p = g->projection;
@@ -600,14 +600,14 @@ static double view_depth(const kit_gbuffer *g, double depth)
     return ((double)p[14] - z * (double)p[15]) / ((double)p[10] - z * (double)p[11]);
 }
 
-/* reads a layer: the first from a 2D texture, the others from slices of an array */
+/* Reads a layer's texels: the first from a 2D texture, the others from an array texture. */
 static int layer_read(GLuint texture, GLuint array, int layer, const kit_gbuffer *g, int components, float *out)
 {
     return layer ? kit_texture_slice_read(array, layer - 1, g->width, g->height, components, out)
                  : kit_texture_read(texture, g->width, g->height, components, out);
 }
 
-/* adds channels first .. last - 1 of a layer to a list of names */
+/* Adds the names of channels first .. last - 1 of a layer to a list. */
 static void names_add(char *names, size_t size, int layer, int first, int last)
 {
     for (int c = first; c < last; c++) {
@@ -618,7 +618,7 @@ static void names_add(char *names, size_t size, int layer, int first, int last)
     }
 }
 
-/* The texture's index of pixel i of the picture, whose rows run the other way. */
+/* Returns the texture's index of pixel i of the image, whose rows run the other way. */
 static size_t texel_of(const kit_gbuffer *g, size_t i)
 {
     const size_t width = (size_t)g->viewport[2], y = (size_t)g->viewport[3] - 1 - i / width;

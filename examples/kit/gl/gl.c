@@ -14,7 +14,7 @@ typedef void (*function)(void);
 typedef struct kept { uint64_t key; GLuint program; } kept;
 
 static struct {
-    int         open;                      /* 0 none, 1 OSMesa, 2 EGL, 3 a window's */
+    int         open;                      /* 0 none, 1 by OSMesa, 2 by EGL, 3 a window's */
     void       *context, *display;
     function  (*proc)(const char *);
     int         es, software;
@@ -120,15 +120,15 @@ static int is_rasteriser(const char *renderer)
     return found;
 }
 
-/* Whether the CPU draws for the current context. EGL lists a display adapter without a 3D engine as hardware, but
-   Mesa's rasteriser draws for it. */
+/* Returns whether the CPU draws for the current context. EGL lists a display adapter without a 3D engine as hardware,
+   but Mesa's rasteriser draws for it. */
 static int egl_is_software(void)
 {
     const PFNGLGETSTRINGPROC get = (PFNGLGETSTRINGPROC)egl.proc("glGetString");
     return get && is_rasteriser((const char *)get(GL_RENDERER));
 }
 
-/* 1 if it made a context on this display current. software 0: none that the CPU draws for; 2: only those. */
+/* Returns 1 if it made a context on this display current. software 0: none that the CPU draws for; 2: only those. */
 static int egl_try(void *display, int es, int software)
 {
     static const int32_t versions[2][3] = { { 45, 43, 0 }, { 32, 31, 30 } };
@@ -151,7 +151,7 @@ static int egl_try(void *display, int es, int software)
     return 0;
 }
 
-/* cpu: 1 = only a context that the CPU draws for */
+/* Opens a context by EGL. cpu: 1 = only one that the CPU draws for. */
 static int egl_open(int es, int cpu, kit_error *err)
 {
     static const char *const names[] = { "libEGL.so.1", "libEGL.so", NULL };
@@ -184,7 +184,7 @@ static int egl_open(int es, int cpu, kit_error *err)
 
     if (strstr(client, "EGL_EXT_platform_device") && egl.query_devices && egl.device_string)
         if (!egl.query_devices(EGL_MAX_DEVICES, devices, &count)) count = 0;
-    /* first any device that a GPU draws for; of software, the surfaceless platform before devices */
+    /* Devices that a GPU draws for come first; if the CPU draws, the surfaceless platform comes before devices. */
     const int surfaceless = strstr(client, "EGL_MESA_platform_surfaceless") != NULL;
     for (int software = cpu; software < 2; software++) {
         if (software && surfaceless
@@ -218,7 +218,7 @@ static int has_extension(const char *name)
     return 0;
 }
 
-/* Decides by version if a function exists: libglvnd's loader returns a pointer for any name that begins with gl. */
+/* Loads GL's functions that GL's version has: libglvnd returns a pointer for any name that begins with gl. */
 static int load(kit_error *err)
 {
     function (*const proc)(const char *) = gl.proc;
@@ -253,7 +253,7 @@ static int load(kit_error *err)
     return 0;
 }
 
-/* If a program ends while Mesa's rasteriser draws, the exit can hang: it waits for threads that wait themselves. */
+/* Called at exit: if Mesa's rasteriser is drawing then, the exit can hang, as it waits for threads that wait. */
 static void finish_drawing(void)
 {
     if (gl.vertex_array) glFinish();
@@ -269,7 +269,7 @@ static int make_ready(int result, kit_error *err)
     glBindVertexArray(gl.vertex_array);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (!at_exit) at_exit = !atexit(finish_drawing);       /* runs before Mesa's handler, which was just registered */
+    if (!at_exit) at_exit = !atexit(finish_drawing);       /* registered now, so that it runs before Mesa's handler */
     return 0;
 }
 
@@ -337,7 +337,7 @@ static const struct format { GLenum internal, format; int components; GLenum typ
     { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 1, GL_FLOAT },
 };
 
-/* converts floats to the type that GLES demands for the format; NULL: no memory */
+/* Converts floats to the type that GLES demands for the format; NULL: no memory. */
 static void *packed(const float *data, size_t count, GLenum type)
 {
     void *out = malloc(count * (type == GL_UNSIGNED_BYTE ? 1 : 4) + 1);
@@ -349,7 +349,7 @@ static void *packed(const float *data, size_t count, GLenum type)
     return out;
 }
 
-/* layers 0: not an array */
+/* Makes a texture; layers 0: 2D, not an array. */
 static GLuint texture_new(int width, int height, int layers, GLenum internal_format, const float *data_or_null)
 {
     const GLenum target = layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
@@ -398,14 +398,14 @@ void kit_texture_linear(GLenum target)
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-/* slice -1: the texture is not an array */
+/* Attaches a texture to the read framebuffer; slice -1: it is not an array. */
 static void attach_to_read(GLenum attachment, GLuint texture, int slice)
 {
     if (slice < 0) glFramebufferTexture2D(GL_READ_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
     else           glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, attachment, texture, 0, slice);
 }
 
-/* Reads depth, one float a texel, and spreads it to four. */
+/* Reads depth, one float a texel, as the first of four floats. */
 static void read_depth(int width, int height, float *data)
 {
     const size_t texels = (size_t)width * (size_t)height;
@@ -421,7 +421,7 @@ static void read_depth(int width, int height, float *data)
     for (size_t i = texels; i-- > 0; ) data[4 * i] = data[i];
 }
 
-/* Reads colours as four floats a texel, or integers as the bits of four. */
+/* Reads colours as four floats a texel, or integers as floats with the same bits. */
 static int read_colour(int width, int height, float *data)
 {
     const size_t texels = (size_t)width * (size_t)height;
@@ -430,7 +430,7 @@ static int read_colour(int width, int height, float *data)
                                           GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
     if (type == GL_UNSIGNED_INT) glReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, data);
     else if (type != GL_UNSIGNED_NORMALIZED || !gl.es) glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, data);
-    else {                                 /* only bytes can always be read; the kit has no wider format of this kind */
+    else {                                 /* GLES reads normalised texels as bytes only; the kit has no wider ones */
         uint8_t *bytes = malloc(texels * 4);
         if (!bytes) return -1;
         glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
@@ -497,7 +497,7 @@ static const char *stage_name(GLenum stage)
                                                 : "compute";
 }
 
-/* joins the first lines of a driver's log to one line */
+/* Joins the first lines of a driver's log to one line. */
 static void shorten(char *log)
 {
     size_t length = strlen(log);
@@ -646,7 +646,7 @@ void kit_soup_close(kit_soup *soup)
 
 /* ---- >>timer ------------------------------------------------------------------------------------------------ */
 
-/* A software renderer answers timer queries before its threads have drawn anything. */
+/* Returns if timer queries can be used: a software renderer answers them before its threads have drawn. */
 static int timer_by_query(void) { return !gl.software && glGetQueryObjectui64v; }
 
 const char *kit_timer_name(void) { return timer_by_query() ? "timer queries" : "the clock"; }

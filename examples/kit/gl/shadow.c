@@ -87,8 +87,8 @@ GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit
 
 /* ---- >>rsm -------------------------------------------------------------------------------------------------- */
 
-/* The camera of face i: for a point light a face of a cube around it, for a sun a view along it around the bounds.
-   direction: unit, to the sun. */
+/* Returns the camera of face i: for a point light a face of a cube around it, for a sun a view along it around the
+   bounds. direction: unit, to the sun. */
 static kit_camera camera_of(const kit_light *light, const double direction[3], int face, const kit_mesh *mesh,
                             int resolution)
 {
@@ -109,7 +109,7 @@ static kit_camera camera_of(const kit_light *light, const double direction[3], i
     }
     if (light->kind == KIT_SUN) {
         float view[16], projection[16];
-        /* only for its axes, along which the bounds' extent is measured */
+        /* only the camera's axes are used, along which the bounds' extent is measured */
         kit_camera_matrices(&camera, view, projection);
         for (int r = 0; r < 2; r++) {
             double extent = 0;
@@ -125,10 +125,10 @@ static kit_camera camera_of(const kit_light *light, const double direction[3], i
     return camera;
 }
 
-/* solid angle from the axis to the corner x, y of a square at distance 1 */
+/* Returns the solid angle of the rectangle from the axis to the corner x, y of a square at distance 1. */
 static double corner_angle(double x, double y) { return atan2(x * y, sqrt(x * x + y * y + 1)); }
 
-/* solid angle of a cube face's pixel */
+/* Returns the solid angle of a cube face's pixel. */
 static double pixel_angle(size_t x, size_t y, size_t resolution)
 {
     const double w = 2.0 / (double)resolution, u = w * (double)x - 1, v = w * (double)y - 1;

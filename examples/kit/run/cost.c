@@ -1,14 +1,14 @@
-/* cost.c - the cost of a run: pixels that its passes draw, bytes that they move. Declared in kit_gl.h and kit_run.h. */
+/* cost.c - computes the pixels that a run's passes draw and the bytes they move. Declared in kit_gl.h and kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 
-/* The number of pixels of its targets that a pass draws. */
+/* Returns how many pixels of its targets a pass draws. */
 static double pass_pixels(const kit_pass *p)
 {
     return p->box[2] ? (double)p->box[2] * p->box[3] : (double)p->width * p->height;
 }
 
-/* Returns the bytes of a texel; texels gets their number. */
+/* Returns the bytes of a texture's texel; texels gets the number of texels. */
 static double texel_of(double *texels, GLuint texture, GLenum target)
 {
     static const GLenum bits_of[] = { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
@@ -25,17 +25,17 @@ static double texel_of(double *texels, GLuint texture, GLenum target)
     return all / 8.0;
 }
 
-/* The bytes that a row of a pass moves: all of an input, and the drawn part of an output. */
+/* Returns the bytes that a pass moves for one of its rows: all of an input, the drawn part of an output. */
 static double row_bytes(const kit_run *run, const kit_pass *p, const ssgi_gl_io *io)
 {
     const kit_gbuffer *g = p->gbuffer;
     const int in = io->kind == SSGI_GL_IO_TEXTURE;
     double texels;
     if (!in && (io->kind != SSGI_GL_IO_OUTPUT || !p->framebuffer)) return 0;
-    /* a pass without targets of its own draws into a slice */
+    /* A pass without targets of its own draws into an array layer. */
     const GLuint texture = in ? kit_pass_texture(run, p, io->name) : p->target[0] ? p->target[io->slot] : p->slices;
     if (!texture) return 0;
-    /* only as many of the G-buffer's farther layers as the pass reads */
+    /* Of the farther layers of the G-buffer the pass reads as many as its gather has. */
     const int slices = texture == g->layer_depth ? p->desc.gather.layers - 1
                                                  : texture == g->layer_normal || texture == g->layer_albedo;
     const double texel =

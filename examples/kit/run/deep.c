@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A vertex array of vec3 or vec4 attributes, interleaved. */
+/* Makes a vertex array of interleaved vec3 or vec4 attributes. */
 static GLuint array_of(GLuint buffer, int attributes, int components, GLuint divisor)
 {
     GLuint array;
@@ -32,8 +32,8 @@ static GLuint buffer_of(const void *data, size_t size)
     return buffer;
 }
 
-/* The scene's triangles as patches, 9 floats a vertex, with huge ones divided: first small triangles, then those that
-   are to be split. NULL: no memory. */
+/* Returns the scene's triangles, 9 floats a vertex, with huge ones divided: first small triangles, then those that the
+   GPU splits (GL_PATCHES). NULL: no memory. */
 static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, const ssgi_view *view,
                          const float picture[16], int grey, int patches[2])
 {
@@ -50,7 +50,7 @@ static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, cons
         sorted = malloc((27 * count + 1) * sizeof *sorted);
         if (divided) ssgi_surfels_divide(divided, count, &count, d, view, &source, NULL);
     }
-    for (size_t t = 0; t < count && divided && sorted; ++t) {      /* large triangles are filled in from the end */
+    for (size_t t = 0; t < count && divided && sorted; ++t) {      /* large triangles are put at the end of the array */
         ssgi_surfel_cost cost = { 0 };
         ssgi_surfel_source one = { .position = divided + 27 * t, .position_stride = 36, .triangles = 1 };
         memcpy(one.to_view, picture, sizeof one.to_view);
@@ -65,7 +65,7 @@ static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, cons
     return sorted;
 }
 
-/* The environment's mean radiance. */
+/* Computes the environment's mean radiance. */
 static void mean_of(float sky[3], const kit_image *env)
 {
     const size_t texels = (size_t)env->width * (size_t)env->height;
@@ -78,17 +78,17 @@ static void mean_of(float sky[3], const kit_image *env)
     for (int c = 0; c < 3; ++c) sky[c] = (float)(sum[c] / sum[3]);
 }
 
-/* The surfels of a run, and their sources, before passes are made of them. */
+/* The surfels of a run and what they are made from, until passes exist for them. */
 typedef struct surfels {
     ssgi_surfel_desc desc;
     ssgi_surfel     *surfel;               /* run->surfels of them */
-    float           *vertices;             /* of patches, 9 floats each */
+    float           *vertices;             /* of triangles, 9 floats a vertex */
     int              patches[2];
     ssgi_gl_light   *rows;                 /* `lights` lights in the view space of the picture's camera */
     int              lamps;
 } surfels;
 
-/* Finds two values from the frame's depth. The near depth is a little less than the least one, or stays if there is
+/* Reads the frame's depth for two settings. The near depth is set a little below the least depth, or stays if there is
    none. The number of levels suits the projected radius; with an unlimited radius the library's default stays. */
 static int look_at_frame(kit_making *m, const surfels *s)
 {
@@ -115,7 +115,7 @@ static void surfels_free(surfels *s)
     free(s->rows);
 }
 
-/* For lit methods: the environment, the lights and their shadow maps. */
+/* Adds the environment, the lights and their shadow maps for lit methods. */
 static int light_surfels(kit_making *m, surfels *s, const float picture[16])
 {
     const kit_image *env = &m->world->lighting->env;
@@ -125,7 +125,7 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
     kit_rotation_of(run->frame.rotation, picture, NULL);
     m->desc.light.environment = SSGI_GL_ENVIRONMENT_MAP;
     if (env->data && kit_add_environment(m)) return -1;
-    /* Surfels of the picture have its light; without slices ssgi_gl_steps lights all surfels. */
+    /* Surfels that pixels show have their light; without slices ssgi_gl_steps lights all surfels. */
     if (!env->data || !m->set->sky) m->desc.light.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (kit_seen(run->gbuffer, &seen, m->err)) return -1;
     kit_placed_light *placed = kit_placed_lights_new(m, &seen, &count, &s->lamps);
@@ -143,7 +143,7 @@ static int light_surfels(kit_making *m, surfels *s, const float picture[16])
     return failed;
 }
 
-/* Makes the surfels of the scene's patches, predicts the cost of their splats, and finds the light that they send. */
+/* Makes the surfels of the scene's triangles, predicts the cost of their splats, and finds the light that they send. */
 static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const float picture[16])
 {
     const kit_image *env = &m->world->lighting->env;
@@ -184,7 +184,7 @@ static int make_surfels(kit_making *m, surfels *s, const ssgi_view *view, const 
     return 0;
 }
 
-/* The buffers from which passes make surfels, and those into which they write them. */
+/* Makes the buffers from which passes make surfels, and those into which they write them. */
 static void add_buffers(kit_run *run, const surfels *s, int way)
 {
     const size_t patches = (size_t)(s->patches[0] + s->patches[1]), size = sizeof *s->surfel;
@@ -206,7 +206,7 @@ static ssgi_gl_chain chain_of(const kit_making *m, const surfels *s)
         lit && m->world->lighting->env.data ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     chain.hidden_sky = m->desc.light.environment != SSGI_GL_ENVIRONMENT_NONE;
     chain.unsmoothed = !m->set->smooth;
-    /* a pass makes surfels from patches, or lights them */
+    /* a pass makes surfels from triangles, or lights them */
     chain.surfels = way == KIT_WAY_CAPTURE || (lit && way == KIT_WAY_CPU);
     if (s->lamps) chain.lights = m->lights;
     if (way) chain.desc.shader.dialect = kit_gl_is_es() ? SSGI_GL_DIALECT_320ES : SSGI_GL_DIALECT_410;

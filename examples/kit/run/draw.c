@@ -1,4 +1,4 @@
-/* draw.c - a run that is open: drawn, timed, read back, closed. Declared in kit_gl.h and kit_run.h. */
+/* draw.c - draws, times, reads back and closes an open run. Declared in kit_gl.h and kit_run.h. */
 #include "kit/kit_run.h"
 #include <stdlib.h>
 #include <string.h>
@@ -61,7 +61,7 @@ void kit_run_update(kit_run *run)
 
 static void draw_patches(const kit_pass *p)
 {
-    /* Mesa's rasteriser confuses points beyond 65536 of one tessellated draw */
+    /* Mesa's rasteriser draws wrong points beyond 65536 of one tessellated draw. */
     const int all = p->patches[0] + p->patches[1], most = kit_gl_is_software() ? 20 : all;
     glPatchParameteri(GL_PATCH_VERTICES, 3);
     for (int first = 0, count; first < all; first += count) {
@@ -71,7 +71,7 @@ static void draw_patches(const kit_pass *p)
     }
 }
 
-/* Draws a pass that makes surfels or splats them, from patches or from a buffer. */
+/* Draws a pass that makes surfels or splats them, from triangles or from a buffer. */
 static void draw_surfels(kit_run *run, const kit_pass *p)
 {
     const int capture = p->capture != 0, counted = capture && run->query;
@@ -117,13 +117,13 @@ int kit_step_part(const ssgi_gl_step *step)
                                                                                      : 1;
 }
 
-/* Sets the place where a pass draws: its framebuffer, the viewport, and a scissor if it has a box. */
+/* Sets where a pass draws: its framebuffer, the viewport, and a scissor if it has a box. */
 static void bind_targets(const kit_run *run, const kit_pass *p)
 {
     const ssgi_gl_step *step = p->step;
     const ssgi_gl_frame *f = step->frame && step->frame < KIT_FRAME_VPLS ? &run->extra[step->frame - 1] : &run->frame;
     const int part = kit_step_part(step);
-    /* a pass that makes surfels needs any complete framebuffer; a context without a surface has none */
+    /* A pass that makes surfels needs any complete framebuffer; a context without a surface has none. */
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);
     if (step->scale == SSGI_GL_SCALE_LEVELS) glViewport(0, 0, p->width, p->height);
     else glViewport(f->target[0] / part, f->target[1] / part, (f->size[0] + part - 1) / part,
@@ -133,7 +133,7 @@ static void bind_targets(const kit_run *run, const kit_pass *p)
     glScissor(p->box[0], p->box[1], p->box[2], p->box[3]);
 }
 
-/* Sets the uniforms outside the block, for a pass whose program is in use, from its rows. */
+/* Sets the uniforms outside the uniform block, for a pass whose program is in use, from its rows. */
 static void set_values(const kit_run *run, const kit_pass *p)
 {
     const int number = p->step->frame;
@@ -229,7 +229,7 @@ double kit_run_ms(const kit_run *run)
 
 /* ---- >>read ------------------------------------------------------------------------------------------------------ */
 
-/* Removes `pixels` pixels from each side. */
+/* Cuts `pixels` pixels off each side of an image. */
 static void cut(kit_image *image, int pixels)
 {
     const int width = image->width - 2 * pixels, height = image->height - 2 * pixels;
@@ -242,7 +242,7 @@ static void cut(kit_image *image, int pixels)
     image->height = height;
 }
 
-/* Reads a texture of the run, rows top-down, into a picture's plane and the next two; less: subtracts it from them. */
+/* Reads a texture of the run, rows top-down, into an image's plane and the next two. less: 1 subtracts it from them. */
 static int read_planes(const kit_run *run, GLuint source, kit_image *image, size_t plane, int less)
 {
     const size_t pixels = (size_t)image->width * (size_t)image->height, width = (size_t)image->width;
@@ -260,7 +260,7 @@ static int read_planes(const kit_run *run, GLuint source, kit_image *image, size
     return failed;
 }
 
-/* Adds the outgoing radiance of the visible surfaces, from irradiance and bounce. */
+/* Computes the outgoing radiance of the visible surfaces from irradiance, bounce and albedo. */
 static int add_radiance(kit_image *image, const kit_gbuffer *g, kit_error *err)
 {
     static const char *const names[2][3] = { { "albedo.R", "albedo.G", "albedo.B" },
@@ -303,7 +303,7 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     return 0;
 }
 
-/* A run that was never opened holds nothing, and there may be no context: GL is called only for existing objects. */
+/* Frees a run. One that was never opened holds nothing, and there may be no context: GL frees only what exists. */
 void kit_run_close(kit_run *run)
 {
     for (int i = 0; i < run->passes; ++i) {

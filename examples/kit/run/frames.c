@@ -1,12 +1,12 @@
-/* frames.c - sequences of frames: a method on one G-buffer after another, or on one that does not change; each run
-   follows the one before. Declared in kit_gl.h. */
+/* frames.c - draws sequences of frames: a method on one G-buffer after another, or on one that does not change; each
+   run follows the one before. Declared in kit_gl.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- >>follow ---------------------------------------------------------------------------------------------------- */
 
-/* Exchanges two textures wherever their runs name them. */
+/* Exchanges textures x and y in all members of two runs that name them. */
 static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
 {
     for (int r = 0; r < (a == b ? 1 : 2); ++r) {
@@ -23,14 +23,14 @@ static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
     }
 }
 
-/* The phase of a frame's noise, from that of frame 0. */
+/* Returns the phase of a frame's noise; from: that of frame 0. */
 static float phase_of(float from, unsigned frame)
 {
     const double phase = (double)from + (double)ssgi_gl_phase(frame);
     return (float)(phase - floor(phase));
 }
 
-/* Gives a texture the size that a pass draws at, if it has the last frame's other size. */
+/* Resizes a texture of the last frame to the size at which a pass draws now. */
 static void fit(GLuint texture, const kit_pass *p, GLenum format)
 {
     GLint width, height;
@@ -92,14 +92,14 @@ static int draw_alone(kit_image *out, kit_run *run, unsigned frame, kit_error *e
     return kit_run_read(out, run, err);
 }
 
-/* Whether the frame's picture has the size that the last one had without its margin. */
+/* Returns whether the frame's image has the size that the last one had, both without margins. */
 static int same_size(const kit_gbuffer *g, const kit_run *last)
 {
     const int *was = last->gbuffer->viewport, margin = 2 * last->margin;
     return g->viewport[2] == was[2] - margin && g->viewport[3] == was[3] - margin;
 }
 
-/* Whether the run can continue the last run's history, of whatever size. */
+/* Returns whether the run can continue the last run's history, which may have another size. */
 static int same_passes(const kit_run *run, const kit_run *last)
 {
     int same = run->passes == last->passes;
@@ -108,7 +108,7 @@ static int same_passes(const kit_run *run, const kit_run *last)
     return same;
 }
 
-/* The part of the cameras' difference that is jitter of the projection, not motion. */
+/* Separates the jitter of the projection from motion: it is the part of the cameras' difference that shift causes. */
 static void keep_jitter(kit_run *run, const float last[4])
 {
     ssgi_gl_frame *f = &run->frame;

@@ -1,4 +1,4 @@
-/* lights.c - the light of a picture: placed lights with their shadow maps, the environment. Declared in kit_run.h. */
+/* lights.c - adds a scene's light: placed lights with their shadow maps, the environment. Declared in kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 static void look(kit_camera *c, const float eye[3], const float along[3], float fovy, float height, float znear,
                  float zfar, int size)
 {
-    float step = 1; /* At an eye at 1e9, a target 1 away would round to the eye. */
+    float step = 1; /* at an eye at 1e9, a target 1 away would round to the eye */
     memset(c, 0, sizeof *c);
     while (step < 1e-3f * fmaxf(fabsf(eye[0]), fmaxf(fabsf(eye[1]), fabsf(eye[2])))) step *= 2;
     for (int k = 0; k < 3; ++k) { c->eye[k] = eye[k]; c->target[k] = eye[k] + step * along[k]; }
@@ -21,7 +21,7 @@ static void look(kit_camera *c, const float eye[3], const float along[3], float 
     c->width = c->height = size;
 }
 
-/* Widens a rectangle across the light (lower x, y, then upper x, y) to hold a point. */
+/* Widens a rectangle perpendicular to the light (least x, y, then greatest x, y) to hold a point. */
 static void widen(float rectangle[4], const float axes[16], const float p[3])
 {
     for (int k = 0; k < 2; ++k) {
@@ -31,8 +31,8 @@ static void widen(float rectangle[4], const float axes[16], const float p[3])
     }
 }
 
-/* The parts of a scene that a sun's maps cover: visible surfaces nearer than the geometric mean of their depths, all
-   visible surfaces, the whole scene. Rectangles across the light: lower x, y, then upper x, y. */
+/* Finds the parts of a scene that a sun's maps cover: visible surfaces nearer than the geometric mean of their depths,
+   all visible surfaces, the whole scene. Rectangles are perpendicular to the light: least x, y, then greatest x, y. */
 enum { NEAR, SEEN, WHOLE, PARTS };
 static void parts_of(float part[PARTS][4], float range[2], const float axes[16], const float at[3],
                      const kit_scene *scene, const kit_seen_places *seen)
@@ -61,8 +61,8 @@ static void parts_of(float part[PARTS][4], float range[2], const float axes[16],
     }
 }
 
-/* Makes a sun's maps, a row each, fine ones first, and returns their number. most: 3, or 1 for a map of all visible
-   surfaces only. A map that is hardly smaller than the next is left out. Cameras stand beyond all occluders. */
+/* Makes a sun's shadow maps, a row each, of small parts first, and returns their number. most: 3, or 1 for a map of all
+   visible surfaces. A map that is hardly smaller than the next is left out. Cameras stand beyond all occluders. */
 static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *scene, const kit_seen_places *seen,
                     int most, int size)
 {
@@ -84,7 +84,7 @@ static int sun_maps(kit_placed_light *out, const float at[3], const kit_scene *s
     const float wide = fmaxf(all[2] - all[0], all[3] - all[1]);
     const float spare = 1e-6f * fminf(1, fmaxf(deep, wide)); /* if either is 0 */
     const float margin = 0.01f * deep + spare, away = range[1] + 2 * margin;
-    for (; count > 0; --count) {                    /* rows: the fine maps first */
+    for (; count > 0; --count) {                    /* in the order of rows, small parts first */
         const float *p = part[kept[count - 1]];
         kit_placed_light *l = &out[rows++];
         const float across = 0.5f * (p[0] + p[2]), up = 0.5f * (p[1] + p[3]);
@@ -113,7 +113,7 @@ static int sun(kit_placed_light *out, const float at[3], const float colour[3], 
     return rows;
 }
 
-/* Places one --light and returns the number of lights that it makes. */
+/* Places a light of --light and returns the number of lights that it makes. */
 static int place_light(kit_placed_light *out, const kit_light *w, const kit_scene *scene, const kit_seen_places *seen,
                        float extent, int size)
 {
@@ -131,7 +131,7 @@ static int place_light(kit_placed_light *out, const kit_light *w, const kit_scen
     return faces;
 }
 
-/* Approximates the environment by suns. Returns the number of lights, -1: failure. */
+/* Approximates the environment by suns. Returns the number of lights; -1: failure. */
 static int place_suns(kit_placed_light *out, const kit_making *m, const kit_scene *scene, const kit_seen_places *seen,
                       int size)
 {
@@ -148,7 +148,7 @@ static int place_suns(kit_placed_light *out, const kit_making *m, const kit_scen
     return n;
 }
 
-/* Finds `vpls` virtual point lights of the first --light; -1: failure. */
+/* Finds `vpls` virtual point lights, which bounce the light of the first --light; -1: failure. */
 static int choose_vpls(ssgi_vpl *found, int vpls, const kit_making *m)
 {
     const kit_lighting *lighting = m->world->lighting;
@@ -278,8 +278,8 @@ float *kit_rgba(float *four, const float *map, int size)
     return four;
 }
 
-/* The hash of an environment's texels. It is only computed if they differ from the last ones, because a comparison is
-   much faster. */
+/* Returns the hash of an environment's texels. It is only computed if they differ from the last ones, because a
+   comparison is much faster. */
 static uint64_t key_of(const float *rgb, size_t size)
 {
     static void *last;
@@ -345,7 +345,7 @@ int kit_add_environment(kit_making *m)
                                     : m->desc.gather.directions ? (float)(2 * KIT_PI / m->desc.gather.directions)
                                     : m->desc.gather.slices
                                         ? (float)(0.75 * KIT_PI / m->desc.gather.slices)
-                                        : (float)KIT_PI * run->frame.epsilon /* of surfels at the end of a shell */,
+                                        : (float)KIT_PI * run->frame.epsilon /* surfels' area at the end of a shell */,
                                     0, &why)
                      != SSGI_OK
                  || !(run->environment = kit_keep(run, kit_texture(SIZE, SIZE, GL_RGBA32F, kit_rgba(four, map, SIZE))));

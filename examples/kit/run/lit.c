@@ -1,9 +1,9 @@
-/* lit.c - methods that compute light, by directional occlusion or by harmonics. Declared in kit_run.h. */
+/* lit.c - adds methods that compute light, by directional occlusion or by harmonics. Declared in kit_run.h. */
 #include "kit/kit_run.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* The unoccluded irradiance of the environment and the suns, minus that of the harmonics. */
+/* Adds the residual: the unoccluded irradiance of the environment and the suns, minus that of their harmonics. */
 static int add_residual(kit_making *m, const ssgi_sun *suns, int count)
 {
     enum { OPEN = 32 };
@@ -21,8 +21,8 @@ static int add_residual(kit_making *m, const ssgi_sun *suns, int count)
     return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
 }
 
-/* s3ho: adds suns to the environment's harmonics as lobes, moves the other lights, which depend on a pixel's place, to
-   the front of placed, and adds the residual of all those harmonics. */
+/* Adds the lights of s3ho: suns as lobes of the environment's harmonics, the residual of all harmonics, and the other
+   lights, which depend on a pixel's place; it moves these to the front of placed. */
 static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
 {
     const int window = m->set->window, bands = m->desc.light.bands;
@@ -44,8 +44,8 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     return m->desc.light.residual && !m->desc.light.shading ? add_residual(m, suns, n) : 0;
 }
 
-/* s3ho. indirect: 0 no bounce, 1 in one gather with the occlusion, 2 in a gather of its own. For 1, a second gather
-   without the bounce shows which part of the result is the bounce. */
+/* Adds the passes of s3ho. indirect: 0 no bounce, 1 in one gather with the occlusion, 2 in a gather of its own. For 1,
+   a second gather without the bounce shows which part of the result is the bounce. */
 static int add_harmonic_light(kit_making *m)
 {
     kit_run *run = m->run;
@@ -53,17 +53,17 @@ static int add_harmonic_light(kit_making *m)
     ssgi_gl_chain chain = kit_chain(m), bounce;
     chain.coefficients = m->set->filtered == KIT_FILTERED_COEFFICIENTS;
     chain.precise = store == KIT_STORE_FLOAT ? 2 : 1;
-    /* Both are packed or neither is, so that both have the same rounding. */
+    /* The coefficients of both gathers are packed or neither's are, so that both have the same rounding. */
     chain.desc.light.packed_coefficients = store == KIT_STORE_PACKED || joint;
     chain.desc.light.shaded = !chain.coefficients && !chain.desc.light.shading && !chain.desc.light.harmonic_lights;
     bounce = chain;
     bounce.desc.light.packed_coefficients = 1;
     bounce.desc.light.transfer = joint ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED;
-    /* occluders may send more light than they block */
+    /* occluders can send more light than they block, which no ratio restores */
     if (chain.desc.light.restore) bounce.desc.light.restore = SSGI_GL_RESTORE_DIFFERENCE;
     if (joint) chain.desc.light.restore = bounce.desc.light.restore;
     if (m->rows[0] && m->set->lights == KIT_LIGHTS_SHADOWED) chain.lights = m->lights;
-    /* only shadowed lights: no light needs coefficients */
+    /* the only lights have shadow maps, so that no light needs coefficients */
     if (chain.lights.pass == SSGI_GL_PASS_LIGHTS && !m->world->lighting->env.data) {
         chain.desc.pass = SSGI_GL_PASS_SSDO;
         chain.desc.light.environment = SSGI_GL_ENVIRONMENT_NONE;
@@ -82,8 +82,8 @@ static int add_harmonic_light(kit_making *m)
     return 0;
 }
 
-/* ssdo: the direct light, then its bounce. vpls: virtual point lights give the bounce, and the gather the part that
-   their clamp removes. */
+/* Adds the passes of ssdo: the direct light, then its bounce. vpls: virtual point lights give the bounce, and the
+   gather the part that their clamp removes. */
 static int add_occluded_light(kit_making *m, const kit_placed_light *placed, int direct, int count,
                               const float picture[16])
 {

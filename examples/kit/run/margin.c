@@ -1,11 +1,11 @@
-/* margin.c - the margin around the picture: a wider G-buffer, and the part of it that each pass draws. Declared in
+/* margin.c - adds the margin around the image: a wider G-buffer, and the part of it that each pass draws. Declared in
    kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdlib.h>
 
-/* The width of a margin in pixels: see kit_run_open. If the border shows no surface, the depths of the whole picture
-   count; the margin is 0 if that shows none either. */
+/* Computes the width of a margin in pixels: see kit_run_open. If the border shows no surface, the depths of the whole
+   image count; the margin is 0 if it shows none either. */
 static int margin_of(int *pixels, const kit_gbuffer *g, double radius, double margin, kit_error *err)
 {
     const int width = g->viewport[2], height = g->viewport[3], most = (width < height ? width : height) / 16 * 4;
@@ -54,7 +54,7 @@ static int draws(const kit_pass *p, GLuint texture)
     return 0;
 }
 
-/* The number of pixels beyond the picture that each pass draws; ALL: the whole margin; -1: no pass reads it. */
+/* Finds how many pixels beyond the image each pass draws; ALL: the whole margin; -1: no pass reads its outputs. */
 enum { ALL = 1 << 20 };
 static void rims_of(const kit_run *run, int rim[KIT_MAX_PASSES])
 {

@@ -1,8 +1,8 @@
-/* occluders.c - occlusion between objects, by the fields of objects that cast. Declared in kit_run.h. */
+/* occluders.c - adds occlusion between objects, by the fields of objects that cast. Declared in kit_run.h. */
 #include "kit/kit_run.h"
 #include <stdlib.h>
 
-/* The fields of a scene's shapes, and a row for each object that casts. */
+/* The fields of a scene's shapes, and a row of t_ssgi_occluders for each object that casts. */
 typedef struct occluders {
     const ssgi_field **field;
     ssgi_gl_occluder  *rows;
@@ -18,7 +18,7 @@ static void product(float out[16], const float a[16], const float b[16])
         }
 }
 
-/* Adds the row of object i, with its field in that slice. */
+/* Adds the row of object i; slice: the layer of its field. */
 static int add_row(const kit_making *m, occluders *all, int i, int slice, const float picture[16])
 {
     const kit_settings *set = m->set;
@@ -36,7 +36,7 @@ static int add_row(const kit_making *m, occluders *all, int i, int slice, const 
     return 0;
 }
 
-/* Adds the objects of a shape; its field is baked if one of them casts. */
+/* Adds the rows of a shape's objects; its field is baked if one of them casts. */
 static int add_shape(kit_making *m, occluders *all, int s, const float picture[16])
 {
     const kit_scene *scene = m->world->scene;
@@ -61,7 +61,7 @@ static int add_occluders(kit_making *m, occluders *all, const float picture[16])
 {
     const kit_scene *scene = m->world->scene;
     kit_run *run = m->run;
-    /* rows are ordered by shape */
+    /* rows are ordered by shape, so that each field is baked once */
     for (int s = 0; s < scene->shapes; ++s) if (add_shape(m, all, s, picture)) return -1;
     if (all->count && !(run->fields = kit_keep(run, kit_field_atlas(all->field, all->fields))))
         return kit_fail(m->err, "no memory for %d fields", all->fields);
@@ -73,7 +73,7 @@ static int add_occluders(kit_making *m, occluders *all, const float picture[16])
     return 0;
 }
 
-/* Makes t_ssgi_cap if the settings ask for it. */
+/* Makes the texture t_ssgi_cap if the settings ask for it. */
 static int add_cap_table(kit_making *m)
 {
     const int size = m->set->cap_table;

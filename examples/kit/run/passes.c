@@ -1,4 +1,4 @@
-/* passes.c - the steps of a chain as passes: programs, framebuffers, targets. Declared in kit_gl.h and kit_run.h. */
+/* passes.c - makes a chain's steps into passes: programs, framebuffers, targets. Declared in kit_gl.h and kit_run.h. */
 #include "kit/kit_run.h"
 #include <stdlib.h>
 #include <string.h>
@@ -111,13 +111,13 @@ ssgi_gl_chain kit_chain(const kit_making *m)
     return chain;
 }
 
-/* The extra camera of a step; -1: the picture's camera. */
+/* Returns the extra camera of a step; -1: it is the main camera's. */
 static int camera_of(const ssgi_gl_step *step)
 {
     return step->frame && step->frame < KIT_FRAME_VPLS ? (step->frame - 1) / 2 : -1;
 }
 
-/* Makes a pass's framebuffer and its targets, cleared to black. textures: by the steps' numbers, 0 = not yet made. */
+/* Makes a pass's framebuffer and its targets, cleared to black. textures: by the steps' numbers; 0 = not yet made. */
 static int add_targets(kit_making *m, kit_pass *p, GLuint textures[])
 {
     kit_run *run = m->run;
@@ -183,7 +183,7 @@ static int add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textures[], 
     return step->outputs ? add_targets(m, p, textures) : 0;
 }
 
-/* Connects a pass's inputs and finds the result. last: the last frame's textures by step number, 0 = not kept. */
+/* Connects a pass's inputs and finds the result. last: the last frame's textures by step number; 0 = not kept. */
 static void connect(kit_pass *p, const GLuint textures[], const GLuint last[], GLuint *light, GLuint *bounce)
 {
     const ssgi_gl_step *step = p->step;
@@ -208,7 +208,7 @@ int kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GLuint *
     int failed = !count || !step;
     if (failed) kit_fail(m->err, "method %s: %s", m->method->name, why);
     else ssgi_gl_steps(step, count, chain, NULL);
-    /* passes aside only show parts of the result, for no embedder; passes of lights are drawn anyway */
+    /* passes aside compute a part of the result for tests, not for an embedder; passes of lights are drawn anyway */
     for (int i = 0; i < count && !failed; ++i)
         failed = add_pass(m, &step[i], textures, aside && step[i].desc.pass != SSGI_GL_PASS_LIGHTS);
     for (int i = first; i < run->passes; ++i)

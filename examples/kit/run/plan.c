@@ -1,5 +1,5 @@
-/* plan.c - measures a scene for ssgi_plan_make, from a G-buffer, and turns the plan into a method of the kit. Part of
-   the kit. */
+/* plan.c - measures a scene from a G-buffer for ssgi_plan_make, and turns the plan into a method of the kit. Declared
+   in kit_gl.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdio.h>
@@ -8,12 +8,12 @@
 
 enum { PLACES = 8000, PLACE_RAYS = 64, LIGHT_PLACES = 3000, LIGHT_RAYS = 768 };
 
-/* The pictures from which a plan is made: ambient visibility of four kinds; slabs if scene or frame have them. */
+/* Indices of images from which a plan is made: ambient visibility of four kinds; slabs if scene or frame have them. */
 enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
 static const char *const pictures[PICTURES][2] = { { "hsao", "thickness=width" }, { "hsao-best", "thickness=width" },
                                                    { "hsao", "thickness=solid" }, { "hsao", "thickness=slabs" } };
 
-/* A survey of the pictures, without pixels that show no surface. */
+/* Surveys the images, without pixels that show no surface. */
 static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count, const float *z, kit_error *err)
 {
     const size_t pixels = (size_t)picture->width * (size_t)picture->height;
@@ -27,7 +27,7 @@ static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count
     return bad ? kit_fail(err, "%s", why) : 0;
 }
 
-/* Ray-traces some places of the pictures. */
+/* Ray-traces ambient visibility at some pixels, and compares the images with it. */
 static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *frame, const kit_image *picture,
                                 const kit_scene *scene, const kit_camera *camera, float radius, kit_error *err)
 {
@@ -47,13 +47,13 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
         && ssgi_trace_build(&trace, memory, size, scene->mesh.position, 3 * sizeof(float), NULL, triangles, &why)
                != SSGI_OK)
         failed = kit_fail(err, "%s", why);
-    /* the places: the R2 sequence over the picture */
+    /* the pixels are those of the R2 sequence over the image */
     for (int i = 0; i < 20 * PLACES && count < PLACES && !failed; ++i) {
         const int x = (int)(fmod(0.7548776662466927 * (i + 1), 1) * frame->width),
                   y = (int)(fmod(0.5698402909980532 * (i + 1), 1) * frame->height);
         const size_t at = (size_t)y * (size_t)frame->width + (size_t)x;
         if (!(z[at] > 0)) continue;
-        /* not from depth: far away, its rounding exceeds a small radius */
+        /* not from the frame's depth, whose rounding exceeds a small radius far away */
         kit_camera_ray(camera, x, y, origin, ray);
         if (!ssgi_trace_closest(&hit, &trace, origin, ray, 0, 1e12f)) continue;
         for (int k = 0; k < 3; ++k) places[3 * count + (size_t)k] = origin[k] + hit.t * ray[k];
@@ -74,7 +74,7 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
     return failed;
 }
 
-/* The energy of each band of the environment's harmonics. */
+/* Computes the energy of each band of the environment's harmonics. */
 static int energy_of(float energy[4], const kit_lighting *light, kit_error *err)
 {
     float sh[48] = { 0 };
@@ -113,7 +113,7 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
     return sqrt(square / (double)count) / (lit ? mean / (double)count : 1);
 }
 
-/* The environment's light on open surfaces; and the lights with their shadows, if there are any. */
+/* Draws the environment's light on open surfaces, and the lights with their shadows if there are any. */
 static int light_of(kit_image *open, kit_image *direct, kit_gbuffer *g, const kit_world *world, float radius,
                     kit_error *err)
 {
@@ -124,8 +124,8 @@ static int light_of(kit_image *open, kit_image *direct, kit_gbuffer *g, const ki
     return kit_run_picture(direct, g, world, "ssdo-points", "environment=none,bounce=none", radius, err);
 }
 
-/* The same for light: ground truth for one pixel in every block, beside visibility that dims the environment's
-   light. */
+/* Calibrates light: ray-traces one pixel in every block, and compares it with the environment's light dimmed by
+   visibility. */
 static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame, const kit_image *picture,
                            kit_gbuffer *g, const kit_world *world, float radius, int wanted, kit_error *err)
 {
@@ -148,12 +148,12 @@ static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame
     kit_image_free(&truth);
     kit_image_free(&open);
     kit_image_free(&direct);
-    /* else no pixel has light */
+    /* otherwise no pixel has light */
     if (isfinite(error[0])) *calibration = (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2] };
     return 0;
 }
 
-/* The number of the scene's surfels, and that of the pixels under their splats, each over the frame's pixels. */
+/* Predicts the scene's surfels and the pixels under their splats, both over the number of the frame's pixels. */
 static int surfels_of(ssgi_plan_scene *s, const kit_gbuffer *g, const kit_scene *scene, float radius, kit_error *err)
 {
     const ssgi_surfel_desc desc = { .max_distance = radius };
@@ -176,7 +176,7 @@ static int surfels_of(ssgi_plan_scene *s, const kit_gbuffer *g, const kit_scene 
     return 0;
 }
 
-/* The pixels that occluders' fields cover; and the error without fields, from one pixel in every block. */
+/* Finds the pixels under occluders' fields, and the error without fields, by rays at one pixel in every block. */
 static int objects_of(ssgi_plan_scene *s, const kit_image *frame, const kit_gbuffer *g, const kit_scene *scene,
                       kit_error *err)
 {
@@ -254,7 +254,7 @@ int kit_plan_method(kit_method *m, const ssgi_plan *p, int wanted, kit_error *er
     char size[32] = "";
     int i = 0;
     if (kit_plan_chain(&chain, p, wanted, err)) return -1;
-    while (kit_method_at(m, i++) && m->pass != (int)chain.desc.pass) {}     /* the plain method of its pass */
+    while (kit_method_at(m, i++) && m->pass != (int)chain.desc.pass) {}     /* searches the plain method of its pass */
     kit_method_take(m, &chain.desc);
     m->set.blur = chain.blur ? chain.desc.filter.radius : 0;
     m->set.history = chain.history;

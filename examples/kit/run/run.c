@@ -25,7 +25,7 @@ static int ask_gbuffer(const kit_making *m, kit_gbuffer *g)
     return kit_gbuffer_slabs(g, scene, 1 + two, m->err);
 }
 
-/* Adds a method of ambient visibility from the G-buffer. */
+/* Adds the passes of a method of ambient visibility. */
 static int open_visibility(kit_making *m, const float picture[16])
 {
     kit_seen_places seen = { .point = NULL };
@@ -46,7 +46,7 @@ static void add_kernel(kit_making *m)
     free(kernel);
 }
 
-/* A noise tile in which each of the sets occurs equally often; without sets, 16 rotations. */
+/* Makes a noise tile in which each of the sets occurs equally often or, without sets, one of 16 rotations. */
 static void add_noise(kit_making *m)
 {
     static float tile[4 * 64 * 64];
@@ -57,7 +57,7 @@ static void add_noise(kit_making *m)
     m->run->noise = kit_keep(m->run, kit_texture(size, size, GL_RGBA32F, tile));
 }
 
-/* The projection of a camera that looks along +z, and normals with z negated. */
+/* Changes the projection to that of a camera that looks along +z, and makes normals with z negated. */
 static int turn_left_handed(kit_making *m, const kit_gbuffer *g, float projection[16])
 {
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -73,7 +73,7 @@ static int turn_left_handed(kit_making *m, const kit_gbuffer *g, float projectio
     return 0;
 }
 
-/* Adds all passes on a G-buffer, the caller's or a wider one. */
+/* Adds all passes on a G-buffer, which is the caller's or a wider one with a margin. */
 static int open_on(kit_making *m, kit_gbuffer *g, float radius)
 {
     kit_run *run = m->run;
@@ -106,8 +106,8 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     run->bytes = kit_run_bytes(run);
     glGenBuffers(KIT_FRAMES, run->block);
     kit_run_update(run);
-    /* reuse reads the last frame's light, and occluded emitters its coefficients; bounced adds one bounce
-       each frame, of which the ninth is negligible */
+    /* frames until history is complete: reuse reads the last frame's light, occluded emitters its coefficients; bounced
+       adds one bounce each frame, of which the ninth is negligible */
     const int frames = m->set->bounced ? 8 : m->set->reuse || m->set->occluded_emitters ? 2 : 0;
     for (int i = 0; i < frames; ++i) kit_run_draw(run, 0);
     return 0;
@@ -119,7 +119,7 @@ int kit_run_open_wide(kit_run *run, kit_gbuffer *g, const kit_method *method, fl
     static const kit_lighting dark;
     const kit_world whole = { world ? world->scene : NULL, world && world->lighting ? world->lighting : &dark };
     kit_making m = { .run = run, .method = method, .set = &method->set, .world = &whole, .err = err };
-    memset(run, 0, sizeof *run);           /* run is filled in place, because passes point to its extra cameras */
+    memset(run, 0, sizeof *run);       /* run is filled in place, because passes point to its frames of extra cameras */
     const int failed = kit_add_margin(&m, &g, radius, margin) || open_on(&m, g, radius);
     if (failed) kit_run_close(run);
     return failed ? -1 : 0;

@@ -6,24 +6,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>settings: a row each, with the field of the desc or the frame that its value sets ------------------------- */
+/* ---- >>settings: a table of rows, each with the field of the desc or the frame that it sets --------------- */
 
 enum {
     GATHER = 1,
-    LIGHTS = 2 /* fields of the descs of gathers, and of lights */,
+    LIGHTS = 2 /* sets a field of the descs of gathers, or of lights */,
     FRAME = 4,
-    SCALED = 8 /* a member of the frame; times the radius */,
-    PLAN = 0 /* the method's code reads it */
+    SCALED = 8 /* sets a member of the frame; or sets it to the value times the radius */,
+    PLAN = 0 /* sets nothing: the method's code reads it */
 };
 
-/* member: of kit_settings; its type decides whether the setting takes whole numbers only */
+/* member: its offset in kit_settings; the member's type decides whether the setting takes whole numbers only */
 typedef struct row { kit_setting setting; size_t member; int where; size_t offset; } row;
 #define DESC(field)  offsetof(ssgi_gl_desc, field)
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
 #define WHOLE(member) _Generic(((const kit_settings *)0)->member, int: 1, double: 0)
-/* choices: words, or NULL if the setting is a number */
-/* A row with the words and limits of a field of ssgi_gl_desc. COUNT: refuses 0, the library's default, so that costs
-   can be computed from the count. */
+/* choices: its words, or NULL if the setting is a number */
+/* Make a row with the words and limits of a field of ssgi_gl_desc. COUNT refuses 0, the library's default, so that
+   costs can be computed from the count. */
 #define OF(name, key, field, where, value, about)    ROW(name, key, about, NULL, value, 0, 0, where, DESC(field))
 #define COUNT(name, key, field, where, value, about) ROW(name, key, about, NULL, value, 1, 0, where, DESC(field))
 #define ROW(name, key, about, choices, value, least, most, where, offset) \
@@ -142,11 +142,12 @@ ROW(lobes_row, lobes, "a texel of the environment's map is the mean over one of 
 ROW(window_row, window, "window over the harmonics of lights", "none hann positive", 1, 0, 2, PLAN, 0)
 ROW(lights_row, lights, "--light as harmonics, or by maps and segments, without a bounce",
     "harmonics shadowed", 0, 0, 1, PLAN, 0)
-/* In the corner of two endless walls, a wall's point has the coefficients pi/2 sqrt(1/(4 pi)), and sqrt(3/(4 pi)) times
-   pi/3 along its normal and 2/3 away from the other wall. Hann's window and the residual give a lamp along (1, 1) /
-   sqrt(2) 0.47, and one along (1, -1) / sqrt(2), behind the wall, 0.24. Their cosine is 0.71: 0.66 of a visible lamp
-   stays, and 0.34 of a hidden one. So wide a lobe darkens creases that see the lamp; it is worse than nothing if
-   shadows come from beyond the radius. */
+/* As harmonics of two bands a lamp has a wide lobe. In the corner of two endless walls a wall's point has the
+   coefficients pi/2 sqrt(1/(4 pi)), and sqrt(3/(4 pi)) times pi/3 along its normal and 2/3 away from the other wall.
+   With Hann's window and the residual, a lamp that the point sees, along (1, 1) / sqrt(2), gives 0.47, and one behind
+   the other wall, along (1, -1) / sqrt(2), 0.24. The cosine of both is 0.71, so that 0.66 of the visible lamp is left
+   and 0.34 of the hidden one. Creases that see the lamp are too dark; if occluders are beyond the radius, this is worse
+   than no shadow. */
 ROW(shadowed_row, lights, "--light by maps and segments, or as harmonics of two bands, whose lobe is wide: a crease "
     "that sees a light keeps 0.66 of it, a hidden one 0.34; may be worse than no occlusion",
     "harmonics shadowed", 1, 0, 1, PLAN, 0)
@@ -209,14 +210,14 @@ ROW(unit_row, unit, "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, PLAN, 
 
 enum { MAX_SETTINGS = 48 };
 
-/* The settings of one kind of methods. search: slices, points or march; for surfels, their effect. bent: bent
+/* The settings of a kind of methods. search: slices, points or march; for surfels, their effect. bent: if 1, for bent
    normals. */
 typedef struct plan {
     int         pass, search, bent;
     const row  *rows[MAX_SETTINGS];
     int         count;
 } plan;
-/* Rows and their number. More rows than a method has room for do not compile. */
+/* Makes the list of a kind's rows and their number. More rows than MAX_SETTINGS do not compile. */
 #define SETTINGS(...) { __VA_ARGS__ }, COUNTED(sizeof((const row *const[]){ __VA_ARGS__ }) / sizeof(const row *))
 #define COUNTED(n) \
     ((int)(n) + 0 * (int)sizeof(struct { \
@@ -294,7 +295,7 @@ static const plan *plan_of(const ssgi_gl_chain *chain)
     return &plans[k];
 }
 
-/* A row's setting; if it sets a field of the desc, with that field's words and limits. */
+/* Returns a row's setting; if it sets a field of the desc, with that field's words and limits. */
 static kit_setting setting_of(const row *w)
 {
     kit_setting s = w->setting;
@@ -328,7 +329,7 @@ int kit_method_setting(kit_setting *setting, const kit_method *method, int i)
     return 1;
 }
 
-/* The initial value of a setting: that of the method's chain if it is not 0; that of the frame for a radius of 1; or
+/* Returns a setting's initial value: that of the method's chain if it is not 0; that of the frame for a radius of 1; or
    else the row's own. */
 static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl_frame *frame)
 {
@@ -338,13 +339,13 @@ static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl
     if (w == &history_row) return chain->history;
     if (w->where & (FRAME | SCALED)) {
         memcpy(&real, (const char *)frame + w->offset, sizeof real);
-        return round(1e6 * (double)real) / 1e6;                         /* 0.3f becomes 0.3 */
+        return round(1e6 * (double)real) / 1e6;                         /* rounds to decimals: 0.3f becomes 0.3 */
     }
     if (w->where & GATHER) memcpy(&value, (const char *)&chain->desc + w->offset, sizeof value);
     return value ? value : w->setting.value;
 }
 
-/* The chain of a method by its name, and its frame for a radius of 1. */
+/* Makes the chain of a method by its name, and its frame for a radius of 1. */
 static ssgi_result library_of(ssgi_gl_chain *chain, ssgi_gl_frame *frame, const char *name, const char **why)
 {
     static const float projection[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0 };
@@ -394,8 +395,8 @@ static const char *const renamed[][2] = { { "thin", "thickness" },     { "hard",
                                           { "front", "near_depth" },   { "nearest", "distance_clamp" },
                                           { "steepest", "max_slope" }, { "casters", "occluders" } };
 
-/* The number of a word among a setting's words, in any case and with - for _; or a number as it stands. -1: no such
-   word. */
+/* Returns the number of a word among a setting's words, in any case and with - for _; or a number as it stands. -1: no
+   such word. */
 static int choice_of(const char *words, const char *value)
 {
     int k = 0;

@@ -2,7 +2,7 @@
 #include "kit/kit_run.h"
 #include <math.h>
 
-/* Deep screen space, without attenuation: occluders and emitters have full weight within the radius. */
+/* Ray-traces deep screen space, without attenuation: occluders and emitters have full weight within the radius. */
 static int trace_deep(kit_image *out, const kit_method *m, const kit_scene *scene, const kit_camera *camera,
                       const kit_lighting *lighting, float radius, int rays, int stride, kit_error *err)
 {

@@ -1,11 +1,11 @@
-/* views.c - the places that a G-buffer shows, and extra cameras that see them from elsewhere. Declared in kit_run.h. */
+/* views.c - finds the points that a G-buffer shows; adds extra cameras that see them. Declared in kit_run.h. */
 #include "kit/kit_run.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Writes the world-space points of a frame into seen, with their sums (x, y, z, count) in sum and the sum of their
-   squares. depths gets every 7th depth of the middle of the picture; returns their number. */
+   squares. depths gets every 7th depth of the middle of the image; returns the number of these depths. */
 static size_t gather_points(kit_seen_places *seen, float *depths, double sum[4], double *squares,
                             const kit_image *frame, const kit_camera *c)
 {
@@ -94,7 +94,7 @@ static int extra_camera(kit_camera *c, int v, const float picture[16], const kit
     memcpy(from, picture, sizeof from);
     double depth = -(double)from[14];
     for (int k = 0; k < 3; ++k) depth -= (double)from[4 * k + 2] * (double)about->centre[k];
-    if (!(c->fovy > 0) && depth > 8 * (double)about->radius)       /* From far away all cameras would see the same. */
+    if (!(c->fovy > 0) && depth > 8 * (double)about->radius)       /* from far away all cameras would see the same */
         from[14] += (float)(depth - 3 * (double)about->radius);
     ssgi_extra_displacement(displacement, v);
     if (ssgi_extra_camera(to, projection, from, about->centre, about->radius, displacement, &why) != SSGI_OK)
@@ -107,14 +107,14 @@ static int extra_camera(kit_camera *c, int v, const float picture[16], const kit
     c->fovy = (float)(2 * atan(1 / (double)projection[5]) * 180 / KIT_PI);
     c->ortho_height = 0;
     c->znear = projection[14] / (projection[10] - 1);
-    c->zfar = 0;                           /* the sphere only holds visible places; the scene continues behind it */
+    c->zfar = 0;                           /* the sphere holds visible points alone; the scene continues behind it */
     c->depth = KIT_DEPTH_NORMAL;
     c->shift[0] = c->shift[1] = 0;
     c->width = c->height = size;
     return 0;
 }
 
-/* The frames of extra camera v: for its own passes, and for gathers of the picture that read it. */
+/* Makes the frames of extra camera v: for its own passes, and for gathers of the main image that read it. */
 static void extra_frames(kit_making *m, int v, const ssgi_view *view, const float picture[16], const float to[16])
 {
     kit_run *run = m->run;

@@ -43,8 +43,8 @@ int kit_assimp_read(kit_soup *soup, char *note, size_t size, const char *path, c
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* Limits, because a small file may name one mesh a thousand times. CELLS: squares of texels that cards are cut along,
-   of all cards and of one card. */
+/* Limits, because a small file may name one mesh a thousand times. CELLS: squares of texels along which cards are cut,
+   in all cards and in one card. */
 enum {
     MOST_MESHES = 1 << 18,
     MOST_TRIANGLES = 1 << 24,
@@ -57,7 +57,7 @@ enum {
 
 enum { NO_MASK, WHERE_IT_CUTS, MASK };
 
-/* A texture that was read, considering texels whose alpha is at least `least`. */
+/* A texture that was read: its mean colour and mask, of texels whose alpha is at least `least`. */
 typedef struct known {
     struct aiString path;
     int bright, least, masked, cuts;
@@ -65,20 +65,20 @@ typedef struct known {
     kit_mask mask;
 } known;
 
-/* The kit's form of a material. of: number of the texture that cuts it, -1: none. */
+/* A material as the kit uses it. of: index of the texture that cuts it; -1: none. */
 typedef struct look {
     float albedo[3];
     int grey, of, wrap[2];
     unsigned uv;
-    double to_texture[2][3]; /* rows: from a mesh's coordinates to the texture's */
+    double to_texture[2][3]; /* rows; from a mesh's texture coordinates to the texture's */
 } look;
 
-/* rows; the last is 0 0 0 1 */
+/* a transform as rows; the fourth would be 0 0 0 1 */
 typedef struct place {
     double m[3][4];
 } place;
 
-/* A node of a glTF's JSON. */
+/* A node of Assimp's, and the JSON of the same node in the glTF file. */
 typedef struct twin {
     const struct aiNode *node;
     const char *json;
@@ -87,25 +87,25 @@ typedef struct twin {
 typedef struct reader {
     const struct aiScene *scene;
     place root;       /* turns the model upright and moves it near 0 */
-    double origin[3]; /* the point that moves to 0 */
+    double origin[3]; /* the point of the file that moves to 0 */
     kit_soup *soup;
     kit_source from;
     char *note;
     int missing, emits, gltf;
     kit_gltf json;
-    kit_array twins;    /* twin, sorted by node; none: another format, or nodes that do not match the file's */
-    int precise;        /* 1: transforms are taken from the twins */
-    int measures;       /* 1: triangles are only measured */
+    kit_array twins;  /* elements: twin, sorted by node; empty: another format, or nodes that do not match the file's */
+    int precise;        /* 1: transforms are taken from the glTF's JSON */
+    int measures;       /* 1: triangles are only measured, to find the bounds */
     float lower[3], upper[3];
-    double vertex_gap, node_gap; /* spacing of floats at vertices and at nodes' places, in world space */
+    double vertex_gap, node_gap; /* spacing of floats at vertices and at nodes' translations, in world space */
     kit_array textures; /* known */
     look *looks;        /* one a material */
-    double cells;       /* the most cells of a card */
+    double cells;       /* how many squares a card is cut into at most */
     size_t meshes, triangles;
-    float *position, *normal; /* of the present mesh, 3 a vertex, in world space */
+    float *position, *normal; /* of the mesh that is being added, 3 a vertex, in world space */
     char *used;               /* 1: a triangle uses the vertex */
-    double weight[MOST_WEIGHTS]; /* weights of the present node's morphs */
-    size_t weights;              /* their number, if the node has its own */
+    double weight[MOST_WEIGHTS]; /* weights of the morphs of the node that is being read */
+    size_t weights;              /* number of weights; 0: the node has none of its own */
 } reader;
 
 const char *kit_assimp_version(void)
@@ -138,7 +138,7 @@ static int beside(char **data, size_t *size, const reader *r, const char *name)
         const int length = snprintf(path, sizeof path, "%.*s%s", own ? 0 : folder, r->from.path, way < 2 ? name : base);
         if (length < 0 || (size_t)length >= sizeof path) return -1;
         for (char *p = path + folder, *to = p; way > 0 && (*to = *p) != 0; ++p, ++to) {
-            unsigned byte; /* as Windows paths and URIs have it */
+            unsigned byte; /* a byte that is escaped as %20, as in URIs */
             if (*p == '\\') *to = '/';
             else if (way & 1 && *p == '%' && sscanf(p + 1, "%2x", &byte) == 1 && byte && p[1] && p[2]) {
                 *to = (char)byte;
@@ -195,8 +195,8 @@ static int texture_open(kit_picture *t, reader *r, const char *path)
     return failed;
 }
 
-/* A texture's number, -1: no memory. A texture is opened once for each combination of arguments; one that cannot be
-   read is white. */
+/* Returns a texture's index; -1: no memory. A texture is opened once for each combination of arguments; one that cannot
+   be read is white. */
 static int texture_known(reader *r, const struct aiString *path, int bright, int least, int masked)
 {
     kit_picture t;
@@ -222,7 +222,7 @@ static known *known_of(const reader *r, int i) { return (known *)r->textures.dat
 
 /* ---- >>materials ------------------------------------------------------------------------------------------------- */
 
-/* KHR_texture_transform, v down, from Assimp's form of it, which has another convention. */
+/* Converts Assimp's form of KHR_texture_transform, which has another convention, to the extension's own, v down. */
 static void gltf_transform(look *l, const struct aiMaterial *m, enum aiTextureType type)
 {
     struct aiUVTransform t = { { 0, 0 }, { 1, 1 }, 0 };
@@ -231,7 +231,7 @@ static void gltf_transform(look *l, const struct aiMaterial *m, enum aiTextureTy
     const double x = (double)t.mScaling.x, y = (double)t.mScaling.y;
     const double right = (double)t.mTranslation.x - 0.5 * x * (1 - c + s);
     const double down = 1 - y - (double)t.mTranslation.y + 0.5 * y * (s + c - 1);
-    /* u' = c x u + s y (1 - v) + right, 1 - v' = -s x u + c y (1 - v) + down */
+    /* u and v of a vertex become u' = c x u + s y (1 - v) + right, v' = 1 - (-s x u + c y (1 - v) + down) */
     const double rows[2][3] = { { c * x, -s * y, s * y + right }, { s * x, c * y, 1 - c * y - down } };
     memcpy(l->to_texture, rows, sizeof rows);
 }
@@ -258,7 +258,7 @@ static int texture_of(const reader *r, const struct aiMaterial *m, enum aiTextur
     return 1;
 }
 
-/* The least alpha of opaque texels: as a glTF material says; 0.5 if a material does not say; 0: all are opaque. */
+/* Returns the least alpha of opaque texels: the material's in glTF; 0.5 if it gives none; 0: all are opaque. */
 static int least_alpha(const reader *r, const struct aiMaterial *m, float factor, int *masked)
 {
     struct aiString mode = { 0 };
@@ -287,7 +287,7 @@ static int look_at(reader *r, look *l, const struct aiMaterial *m)
     *l = (look){ .of = -1 };
     const int textured = texture_of(r, m, aiTextureType_BASE_COLOR, &path, l)
                       || texture_of(r, m, aiTextureType_DIFFUSE, &path, l);
-    /* the material that Assimp adds if a file has none */
+    /* Assimp adds this material if a file has none. */
     l->grey = !textured
            && (!coloured || !strcmp(name.data, AI_DEFAULT_MATERIAL_NAME)
                || (!*name.data && colour.r == 1 && colour.g == 1 && colour.b == 1));
@@ -347,7 +347,7 @@ static int pair(reader *r, const struct aiNode *n, const char *json)
     return child ? -1 : 0;
 }
 
-/* Pairs Assimp's nodes with the file's, in the same order; above several roots Assimp has one of its own. */
+/* Pairs Assimp's nodes with the file's, which have the same order; above several roots Assimp has a node of its own. */
 static void pair_nodes(reader *r)
 {
     const struct aiNode *root = r->scene->mRootNode;
@@ -360,14 +360,14 @@ static void pair_nodes(reader *r)
     else qsort(r->twins.data, r->twins.count, sizeof(twin), by_node);
 }
 
-/* The distance from a number to the next float. */
+/* Returns the distance from a number to the next float. */
 static double gap_at(double x)
 {
     const float f = fabsf((float)x);
     return (double)nextafterf(f, INFINITY) - (double)f;
 }
 
-/* The largest rounding step of the coordinates of a point `at` that a place transforms. */
+/* Returns the largest rounding step of the coordinates of a point `at` after the transform p. */
 static double gap_of(const place *p, const double at[3])
 {
     double most = 0;
@@ -390,7 +390,7 @@ static place times(const place *a, const place *b)
     return out;
 }
 
-/* The matrix for normals, correct in sign also for mirrors. Returns the determinant. */
+/* Writes the matrix for normals, correct in sign also for mirrors. Returns the determinant. */
 static double cofactors(const place *p, double out[3][3])
 {
     double determinant = 0;
@@ -404,7 +404,7 @@ static double cofactors(const place *p, double out[3][3])
     return determinant;
 }
 
-/* Adds the displacement of a morph, times a weight. */
+/* Adds a morph's displacement of a vertex, times a weight. */
 static void add_morph(double to[3], const struct aiVector3D *base, const struct aiVector3D *morph, double weight)
 {
     to[0] += weight * ((double)morph->x - (double)base->x);
@@ -412,7 +412,7 @@ static void add_morph(double to[3], const struct aiVector3D *base, const struct 
     to[2] += weight * ((double)morph->z - (double)base->z);
 }
 
-/* Adds a vertex transformed by a place, times a weight. */
+/* Adds a vertex with its morphs, transformed by p, times a weight. */
 static void add_vertex(reader *r, const struct aiMesh *m, unsigned v, const place *p, double turn[3][3], double weight)
 {
     if (!r->used[v]) return;
@@ -437,7 +437,7 @@ static void add_vertex(reader *r, const struct aiMesh *m, unsigned v, const plac
         r->normal[3 * (size_t)v + (size_t)i] += (float)(weight * turned[i] / sqrt(length));
 }
 
-/* Finds the node of a name and its place; 0: there is none. */
+/* Finds the node of a name and its transform to the world; returns 0 if there is none. */
 static int node_named(const reader *r, const struct aiNode *n, const char *name, const place *above, place *out)
 {
     const place own = place_of(r, n);
@@ -451,7 +451,7 @@ static int node_named(const reader *r, const struct aiNode *n, const char *name,
 
 static const place nowhere = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } };
 
-/* Skins all vertices in the file's own pose; vertices without a bone stay at 0. */
+/* Applies bones to all vertices in the file's own pose; vertices without a bone stay at 0. */
 static void hold(reader *r, const struct aiMesh *m, float *held)
 {
     for (unsigned b = 0; b < m->mNumBones; ++b) {
@@ -473,7 +473,7 @@ static void hold(reader *r, const struct aiMesh *m, float *held)
 
 /* ---- >>meshes ---------------------------------------------------------------------------------------------------- */
 
-/* Vertex colours are linear in glTF and sRGB in other formats. */
+/* Returns a vertex colour's component as linear: it is linear in glTF and sRGB in other formats. */
 static float linear(const reader *r, float v)
 {
     const double x = fmax(0, (double)v);
@@ -560,7 +560,7 @@ static void measure_mesh(reader *r, const struct aiMesh *m)
         }
 }
 
-/* Adds a mesh's triangles at a place; or, while measuring, only widens the bounds. */
+/* Adds a mesh's triangles, transformed by p; or, while measuring, only widens the bounds. */
 static int add_mesh(reader *r, const struct aiMesh *m, const place *p)
 {
     const size_t n = m->mNumVertices;
@@ -632,7 +632,7 @@ static int measure(reader *r)
     return failed;
 }
 
-/* If floats are too coarse, takes places from the file's JSON, if it has one; then moves the model near 0. */
+/* Takes transforms from the file's JSON, if it has one and floats are too coarse; then moves the model near 0. */
 static int approach(reader *r)
 {
     if (r->gltf) pair_nodes(r);
@@ -648,13 +648,13 @@ static int approach(reader *r)
 /* ---- >>guard ----------------------------------------------------------------------------------------------------- */
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-enum { SANITIZED = 1 }; /* a sanitizer reserves the whole address space */
+enum { SANITIZED = 1 }; /* a sanitizer reserves the whole address space, so that memory cannot be limited */
 #else
 enum { SANITIZED = 0 };
 #endif
 
-/* While Assimp reads, its output is discarded, and time and memory are limited to more than a good file of that size
-   needs in the slowest case. */
+/* What guard_open changes while Assimp reads: output is discarded; time and memory are limited to more than a good file
+   of that size needs. */
 typedef struct guard {
     int printed[2];
     struct rlimit time, memory;
@@ -705,7 +705,7 @@ static int number_of(const struct aiMetadata *data, const char *key, int otherwi
     return otherwise;
 }
 
-/* An FBX says which of its axes point up, to the front and to the right; Assimp does not apply this. */
+/* Returns the rotation that turns an FBX upright: the file names its axes, but Assimp does not apply them. */
 static place upright(const struct aiScene *s)
 {
     static const char *const axis[3] = { "CoordAxis", "UpAxis", "FrontAxis" };
@@ -749,7 +749,7 @@ static int assimp_fail(const char *path, const char *format, kit_error *err)
     return kit_fail(err, "%s: is %s that cannot be read: %.*s", path, format, (int)(n < 400 ? n : 400), said);
 }
 
-/* The number of points in meshes without faces, or whose faces are points. */
+/* Returns the number of points in meshes without faces, or whose faces are points. */
 static size_t points_of(const struct aiScene *scene)
 {
     size_t points = 0;
@@ -759,7 +759,7 @@ static size_t points_of(const struct aiScene *scene)
     return points;
 }
 
-/* Takes the scene's triangles and their objects. */
+/* Adds the triangles and objects of Assimp's scene. */
 static int take_scene(reader *r)
 {
     const struct aiNode *root = r->scene->mRootNode;

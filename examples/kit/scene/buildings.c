@@ -78,7 +78,7 @@ static void rug_and_table(kit_build *b)
     }
 }
 
-/* Things on the table, a ball on the floor, a lamp above. */
+/* Adds things on the table, a ball on the floor, and a lamp above. */
 static void on_the_table(kit_build *b)
 {
     static const kit_moulding shade[] = { {0.24, 0, 0.08, 0.22, 0.01}, {0.08, 0.22, 0, 0.22, 0} };
@@ -131,13 +131,13 @@ void kit_build_room(kit_build *b)
 
 static void soffit_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double *s = shape, a = KIT_PI * u;                                 /* radius, spring height, half thickness */
+    const double *s = shape, a = KIT_PI * u;                          /* shape: radius, spring height, half thickness */
     out->p[0] = s[2] * (2 * v - 1); out->p[1] = s[1] + s[0] * sin(a); out->p[2] = s[0] * cos(a);
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = -cos(a);
 }
 
-/* a wall along z, 2 t thick, from the springing to the top, with a round arch between two columns, each half_bay
-   away */
+/* Adds a wall along z, 2 t thick, from the springing to the top, with a round arch between two columns, each half_bay
+   away. */
 static void arch(kit_build *b, double radius, double spring, double top, double t, double half_bay)
 {
     const double shape[3] = { radius, spring, t };
@@ -152,7 +152,7 @@ static void arch(kit_build *b, double radius, double spring, double top, double 
                                { x, spring + radius * sin(c), radius * cos(c) },
                                { x, top, radius * cos(c) },
                                { x, top, radius * cos(a) } };
-            if (side > 0) {                                              /* turn it to face outwards */
+            if (side > 0) {                                              /* turns the arch to face outwards */
                 double swap[3];
                 memcpy(swap, q[1], sizeof swap); memcpy(q[1], q[3], sizeof swap); memcpy(q[3], swap, sizeof swap);
             }
@@ -204,7 +204,7 @@ void kit_build_colonnade(kit_build *b)
             kit_box(b, -1.47, y, first - bay / 2 * i - half, 1.47, 4.9, first - bay / 2 * i + half);
         for (int i = -1; i <= 1; i++) kit_box(b, 0.98 * i - half + 0.02, y + 0.01, end, 0.98 * i + half - 0.02, 4.9, 6);
     }
-    /* pilasters and a bench on the wall */
+    /* pilasters and a bench along the wall */
     for (int i = 0; i < BAYS; i++) {
         kit_place_at(b, -4.4, 0, first - bay * i, 0);
         kit_colour(b, 0.76, 0.70, 0.60); kit_box(b, 0, 0, -0.3, 0.15, 4.9, 0.3);

@@ -37,7 +37,7 @@ static uint32_t count_of(const kit_mask *m, const int low[2], const int high[2])
     return below[high[0]] - below[low[0]] - top[high[0]] + top[low[0]];
 }
 
-/* at: in texels, x to the right, y down */
+/* A corner of a polygon; at: in texels, x to the right, y down. */
 typedef struct corner {
     double at[2], weight[2];
 } corner;
@@ -52,7 +52,7 @@ static void add(polygon *p, const corner *c)
     if (p->count < MOST_CORNERS) p->c[p->count++] = *c;
 }
 
-/* Splits a polygon at a line along the other axis. */
+/* Splits a polygon in two at a line: axis 0: at x = line, 1: at y = line. */
 static void halve(const polygon *p, int axis, double line, polygon half[2])
 {
     half[0].count = half[1].count = 0;
@@ -76,7 +76,7 @@ static void halve(const polygon *p, int axis, double line, polygon half[2])
 
 typedef struct cutting {
     kit_mask *mask;
-    int side; /* of the smallest squares, texels */
+    int side; /* width of the smallest squares, in texels */
     kit_piece *piece;
     void *context;
 } cutting;
@@ -107,7 +107,7 @@ static int share(const cutting *c, const polygon *p, double there)
     return give(c, p);
 }
 
-/* Cuts a polygon that is inside the rectangle. */
+/* Cuts a polygon, which is inside the rectangle of texels from low to high, to its opaque texels. */
 static int cut(const cutting *c, const polygon *p, const int low[2], const int high[2])
 {
     const int wide = high[0] - low[0], tall = high[1] - low[1], axis = tall > wide;
@@ -123,7 +123,7 @@ static int cut(const cutting *c, const polygon *p, const int low[2], const int h
     return cut(c, &half[0], low, lower) || cut(c, &half[1], upper, high) ? -1 : 0;
 }
 
-/* The side of the squares: at most `most` of them are in the triangle or on its edge. */
+/* Returns the width of the squares in texels, such that at most `most` of them meet the triangle. */
 static int side_of(const double at[3][2], double most)
 {
     double area = 0, edges = 0;
@@ -137,8 +137,8 @@ static int side_of(const double at[3][2], double most)
     return side;
 }
 
-/* Cuts the triangle, in texels, to one tile of a repeated picture; if the picture is clamped, all that is beyond an
-   edge belongs to the tile there. */
+/* Cuts the part of a triangle, in texels, that is in one tile of a repeated texture; if the texture is clamped, all
+   that is beyond an edge belongs to the tile there. */
 static int cut_tile(const cutting *c, const int wrap[2], const double at[3][2], const int tile[2])
 {
     const int size[2] = { c->mask->width, c->mask->height }, low[2] = { 0, 0 };

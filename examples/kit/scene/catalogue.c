@@ -1,5 +1,5 @@
-/* catalogue.c - models of Debian's packages: single files, and the furniture of Sweet Home 3D, whose catalogues give
-   the sizes. Declared in kit_seed.h and kit.h. */
+/* catalogue.c - reads models of Debian's packages: single files, and the furniture of Sweet Home 3D, whose catalogues
+   give their sizes. Declared in kit_seed.h and kit.h. */
 #include "kit/kit_seed.h"
 #include <errno.h>
 #include <stdio.h>
@@ -30,10 +30,10 @@ typedef struct entry {
     int archive, turned;
     double side[3];
     float turn[9];
-    char path[160], name[160];             /* "scopia/armchair3/armchair3.obj", without the last part */
+    char path[160], name[160];             /* as "scopia/armchair3/armchair3.obj"; name lacks the last part */
 } entry;
 
-/* Read at the first call. Not locked: one thread loads scenes. */
+/* all catalogues' entries, read at the first call; not locked, because one thread loads scenes */
 static entry *entries;
 static int count;
 
@@ -99,7 +99,7 @@ static const struct single *single_named(const char *name, int length)
     return NULL;
 }
 
-/* The first entry whose last part is the name. */
+/* Returns the first entry whose path ends in the name. */
 static const entry *entry_named(const char *name, int length)
 {
     read_catalogues();
@@ -120,7 +120,7 @@ const char *kit_scene_model(int i)
 
 /* ---- >>unpacking ------------------------------------------------------------------------------------------------- */
 
-/* The folder for unpacked models in the user's cache. */
+/* Writes the path of the folder for unpacked models in the user's cache. */
 static int cache_folder(char *out, size_t size)
 {
     const char *const given = getenv("XDG_CACHE_HOME"), *const home = getenv("HOME");
@@ -173,7 +173,7 @@ static void turn(kit_mesh *m, const float by[9])
     kit_mesh_bounds(m);
 }
 
-/* Puts a model on y = 0, its middle on the axis, and scales its sides to these; 0: as its height. */
+/* Moves a model to y = 0 and its middle to the y axis, and scales its sides to these; 0: as its height. */
 static void fit(kit_mesh *m, const double side[3])
 {
     double scale[3];

@@ -78,7 +78,7 @@ int kit_gltf_text(kit_gltf *g, const char *path, kit_error *err)
     memset(g, 0, sizeof *g);
     if (kit_file_read(&g->data, &size, path, err)) return -1;
     length = size;
-    if (size >= 20 && !memcmp(g->data, "glTF", 4)) { /* a header of 12 bytes, then the JSON's length and kind */
+    if (size >= 20 && !memcmp(g->data, "glTF", 4)) { /* a GLB: a header of 12 bytes, then the JSON's length and kind */
         const unsigned char *p = (const unsigned char *)g->data + 12;
         length = (size_t)p[0] | (size_t)p[1] << 8 | (size_t)p[2] << 16 | (size_t)p[3] << 24;
         from = 20;

@@ -1,5 +1,5 @@
-/* grammar.c - builds scenes from rows: places, numbers and sizes of things, by chances that follow from names. Declared
-   in kit_seed.h, which explains the columns. */
+/* grammar.c - builds scenes from rows: draws places, numbers and sizes of things by chances that follow from names.
+   Declared in kit_seed.h, which explains the columns. */
 #include "kit/kit_seed.h"
 #include <math.h>
 #include <stdio.h>
@@ -29,7 +29,7 @@ typedef struct walk {
     kept model[MODELS_KEPT];               /* models read so far */
     const kit_row *row;                    /* for error messages */
     int variables, deep, claims;
-    uint32_t thing;                        /* seed of the present thing's colours */
+    uint32_t thing;                        /* seed of the colours of the thing that is being built */
     variable variable[VARIABLES];
     claim claim[CLAIMS];
 } walk;
@@ -55,7 +55,7 @@ static double chance_of(uint32_t key) { return (double)key * 0x1p-32; }
 
 /* ---- >>numbers --------------------------------------------------------------------------------------------------- */
 
-/* An expression that is being read; drawn: the number of chances drawn so far. */
+/* an expression that is being read; drawn: number of random numbers drawn so far */
 typedef struct reading {
     walk *w;
     const char *at;
@@ -174,7 +174,7 @@ static double alternatives(reading *r)
     return count == 1 ? of[0] : of[(int)(count * chance_of(mixed(r->key, ++r->drawn)))];
 }
 
-/* Reads one number; *text moves past it. */
+/* Reads one number from a row's text; *text moves past it. */
 static double number(walk *w, const char **text, uint32_t key)
 {
     reading r = { w, *text, key, 0 };
@@ -212,7 +212,7 @@ static const kit_row *thing_named(const char *name, size_t length)
     return NULL;
 }
 
-/* Reads "name=number .." with the outer thing's chances; a variable that has a value, set since from, keeps it. */
+/* Sets variables by "name=number ..", with chances by key; a variable that was set since index from keeps its value. */
 static void assign(walk *w, const char *text, uint32_t key, int from)
 {
     for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
@@ -249,7 +249,7 @@ static void make_thing(walk *w, const kit_row *thing, const char *given, uint32_
     --w->deep;
 }
 
-/* Chooses one of "a|b|c", which ends at a blank; *text moves past all. */
+/* Chooses one of "a|b|c", which ends at a blank: name gets it, and its length is returned; *text moves past all. */
 static size_t one_of(const char **text, const char **name, uint32_t key)
 {
     const size_t all = strcspn(*text, " ");
@@ -261,7 +261,7 @@ static size_t one_of(const char **text, const char **name, uint32_t key)
     return strcspn(*name, "| ");
 }
 
-/* Makes all that was built since first a thing to look at. */
+/* Adds all triangles from first on as one thing that the camera may look at. */
 static void add_sight(walk *w, size_t first)
 {
     const kit_mesh *m = &w->p->b.scene.mesh;
@@ -314,7 +314,7 @@ static const kit_mesh *model_of(walk *w, const char *name, int length)
     return &w->model[w->models++].mesh;
 }
 
-/* Adds a model as an object of its own, scaled. */
+/* Adds a model, scaled, as an object of its own. */
 static void add_model(kit_build *b, const kit_mesh *m, double scale, const char *name, int length)
 {
     char title[64];
@@ -378,7 +378,7 @@ static const struct palette { const char *name; int count; float colour[6][3]; }
 };
 /* clang-format on */
 
-/* key: of the copy; its shade differs a little from other copies' */
+/* Sets a colour of a palette; key: of the copy, whose shade differs a little from other copies'. */
 static void paint(walk *w, const char *name, uint32_t key)
 {
     if (!*name) return;
@@ -416,7 +416,7 @@ static void make_pane(kit_build *b, const double *v)
     kit_quad(b, (const double(*)[3])c);
 }
 
-/* shape: width, height, waves, depth */
+/* Writes a point of cloth; shape: width, height, waves, depth. */
 static void cloth_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, a = 2 * KIT_PI * s[2] * u, deep = s[3] * (0.35 + 0.65 * v);
@@ -462,7 +462,7 @@ static void rock_surface(const void *shape, double u, double v, kit_vertex *out)
         for (int i = 0; i < 3; i++) out->n[i] = -out->n[i];
 }
 
-/* If facets is not 0 the rock has flat sides. */
+/* Adds a rock. v: the numbers of its row; if facets is not 0 the rock has flat sides. */
 static void make_rock(kit_build *b, const double *v, uint32_t key)
 {
     const rock r = { v, key & 0xffffff };
@@ -499,7 +499,7 @@ static void make_ground(walk *w, const double *v, int count, uint32_t key)
     else kit_level(&w->p->b, v[0], v[1], v[2], v[3], 0);
 }
 
-/* From the present thing's axes to the world's. */
+/* Transforms a point from the axes of the thing that is being built to the world's. */
 static void to_world(const kit_frame *f, const double in[3], double out[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -508,7 +508,7 @@ static void to_world(const kit_frame *f, const double in[3], double out[3])
     }
 }
 
-/* Handles a row that sets a property of the scene; 0: it is a shape's row. */
+/* Handles a row that sets a property of the scene; returns 0 for a row of a shape. */
 static int note(walk *w, const kit_row *row, const double *v, int count, uint32_t key)
 {
     kit_plot *const p = w->p;
@@ -570,7 +570,7 @@ static void make_shape(walk *w, const kit_row *row, uint32_t key)
 
 /* ---- >>copies ---------------------------------------------------------------------------------------------------- */
 
-/* Claims a disc about a place of the present thing, unless it meets a claimed one. */
+/* Claims a disc about a place of the thing that is being built; returns 0 if it meets a claimed one. */
 static int clear(walk *w, const double place[3], double radius)
 {
     double at[3];
@@ -586,7 +586,7 @@ static int clear(walk *w, const double place[3], double radius)
 
 enum { X, Y, Z, TURN, TILT, SCALE, PLACES };
 
-/* Finds a place for a copy; 0: all places that it tried are claimed. */
+/* Finds a place for a copy of a row's thing; returns 0 if all places that it tried are claimed. */
 static int find_place(walk *w, const char *at, uint32_t key, double place[PLACES])
 {
     static const int order[PLACES] = { X, Z, Y, TURN, TILT, SCALE };
@@ -655,7 +655,7 @@ static void make_row(walk *w, const kit_row *row, uint32_t key)
     }
 }
 
-/* Checks that the things or models exist that a row names. */
+/* Checks that the things or models that a row names exist. */
 static int check_row(const kit_row *row, kit_error *err)
 {
     for (const char *name = row->numbers; *name && *name != ' ';) {
@@ -708,7 +708,7 @@ double kit_build_model(kit_plot *p, const char *name, uint32_t seed, kit_error *
     p->stand[0] = p->stand[1] = -12;
     p->stand[2] = p->stand[3] = 12;
     p->sight[p->sights++] = (kit_sight){ { 0, by * half[1], 0 }, 1 };
-    /* a model is often hollow in the middle, so the other things to look at are on its surface */
+    /* a model is often hollow in the middle, so the camera may also look at points on its surface */
     for (uint32_t k = 0; k < 6 && m.triangles; k++) {
         const float *const at = m.position + 9 * (size_t)((double)m.triangles * chance_of(mixed(seed, k)));
         p->sight[p->sights++] = (kit_sight){ { by * (double)at[0], by * (double)at[1], by * (double)at[2] }, 0.4 };

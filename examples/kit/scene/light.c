@@ -1,4 +1,4 @@
-/* light.c - environments and lights. */
+/* light.c - makes and reads environments and lights. Declared in kit.h. */
 #include "kit/kit.h"
 
 #include <math.h>
@@ -42,8 +42,8 @@ void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[
     }
 }
 
-/* From horizon to zenith, with a glow of 20 degrees half-width about the sun, and a ground that begins within 6 degrees
-   below the horizon. The luminance of the irradiance over pi facing up is 1.01. */
+/* Writes the radiance of "sky": a gradient from horizon to zenith, a glow of 20 degrees half-width about the sun, and a
+   ground that begins within 6 degrees below the horizon. The luminance of the irradiance over pi facing up is 1.01. */
 static void sky_radiance(const float d[3], double rgb[3])
 {
     static const double zenith[3] = { 0.38, 0.66, 1.28 }, horizon[3] = { 1.20, 1.32, 1.42 },
@@ -58,11 +58,10 @@ static void sky_radiance(const float d[3], double rgb[3])
 
 static void white_radiance(const float d[3], double rgb[3]) { (void)d; rgb[0] = rgb[1] = rgb[2] = 1; }
 
-/* A bright place on the sphere of directions: angles and half sizes in degrees; power 2 gives discs, a larger power
-   rectangles. */
+/* A bright spot of an environment: angles and half sizes in degrees; power 2 gives discs, a larger power rectangles. */
 typedef struct glow { double longitude, latitude, wide, high, power, rgb[3]; } glow;
 
-/* 1 in the middle, 1/2 at the half sizes, 0 beyond 1.4 of them */
+/* Returns the weight of a glow: 1 in the middle, 1/2 at the half sizes, 0 beyond 1.4 of them. */
 static double glow_at(const glow *g, const float d[3])
 {
     const double lon = g->longitude * KIT_PI / 180, lat = g->latitude * KIT_PI / 180;
@@ -86,8 +85,8 @@ static void add_glows(double rgb[3], const float d[3], const glow *glows, size_t
 }
 #define GLOWS(table) table, sizeof (table) / sizeof (table)[0]
 
-/* Similar to Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to -x; a
-   few lamps, warm to -x. The luminance of the irradiance over pi facing up is 1. */
+/* Writes the radiance of "probe", similar to Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue
+   and green to +x, amber to -x; a few lamps, warm to -x. The luminance of the irradiance over pi facing up is 1. */
 static void probe_radiance(const float d[3], double rgb[3])
 {
     static const double low[3] = { 0.090, 0.066, 0.045 }, high[3] = { 0.30, 0.215, 0.13 };
@@ -102,8 +101,9 @@ static void probe_radiance(const float d[3], double rgb[3])
     add_glows(rgb, d, GLOWS(glows), unit);
 }
 
-/* A living room by day: walls and ceiling with 1/40 of the windows' radiance, three tall windows toward +x and a wide
-   one toward -x, a ceiling lamp, and sunlight on the floor. The luminance of the irradiance over pi facing up is 1. */
+/* Writes the radiance of "windows", a room by day: walls and ceiling with 1/40 of the windows' radiance, three tall
+   windows toward +x and a wide one toward -x, a ceiling lamp, and sunlight on the floor. The luminance of the
+   irradiance over pi facing up is 1. */
 static void windows_radiance(const float d[3], double rgb[3])
 {
     static const double low[3] = { 0.26, 0.19, 0.13 }, high[3] = { 0.62, 0.58, 0.52 };
@@ -115,9 +115,9 @@ static void windows_radiance(const float d[3], double rgb[3])
     add_glows(rgb, d, GLOWS(glows), unit);
 }
 
-/* A street along z at night: a dark sky, facades to both sides with lit windows, and six lamps of a degree's half-angle
-   that give nine tenths of the light from less than a thousandth of the sphere. The luminance of the irradiance over pi
-   facing up is 1. */
+/* Writes the radiance of "street", a street along z at night: a dark sky, facades to both sides with lit windows, and
+   six lamps of a degree's half-angle that give nine tenths of the light from less than a thousandth of the sphere. The
+   luminance of the irradiance over pi facing up is 1. */
 static void street_radiance(const float d[3], double rgb[3])
 {
     static const double sky[3] = { 0.016, 0.017, 0.026 }, haze[3] = { 0.13, 0.092, 0.058 },
@@ -169,7 +169,7 @@ int kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_er
     if (!(degrees >= 180.0 / height && degrees <= 45))
         return kit_fail(err, "sun of half-angle %g: must be a texel's %g to 45 degrees", degrees, 180.0 / height);
     if (!env->data && kit_image_new(env, width, height, "R,G,B", err)) return -1;
-    for (int pass = 0; pass < 2; ++pass)                /* first the disc's irradiance at radiance 1 */
+    for (int pass = 0; pass < 2; ++pass)                /* the first pass sums the disc's irradiance at radiance 1 */
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 float d[3];

@@ -21,10 +21,10 @@ typedef struct obj {
     kit_soup soup;
     kit_array normals;                     /* float[3] */
     kit_array corners;                     /* of the present face */
-    kit_array lines;                       /* char *: each line without its end and leading blanks */
-    kit_array materials, texts;            /* char *: the MTL files, in which names point */
-    size_t own_lines;                      /* the lines of the OBJ, which come first */
-    int bare;                              /* 0; if materials are not read, 1 + number of MTL files */
+    kit_array lines;                       /* elements are char *: each line without its end and leading blanks */
+    kit_array materials, texts;        /* elements are char *: the texts of the MTL files, into which the names point */
+    size_t own_lines;                      /* number of the OBJ's own lines, which come first */
+    int bare;                              /* 0; if materials are not read, 1 + the number of MTL files */
     const float *albedo;
 } obj;
 
@@ -38,7 +38,7 @@ static char *behind_blanks(char *at)
     return at;
 }
 
-/* The text after a line's first word; NULL: it has another first word. */
+/* Returns the text after a line's first word; NULL if the line has another first word. */
 static char *behind(char *line, const char *word)
 {
     const size_t length = strlen(word);
@@ -85,8 +85,8 @@ static int wrong(const obj *o, const char *what, const char *at)
                   : kit_fail(o->from.err, "%s line %d: %s, but the line ends", o->from.path, o->from.line, what);
 }
 
-/* Reads count numbers and subtracts an origin unless it is NULL; what: their name. Returns the text after them; NULL:
-   they are missing. */
+/* Reads count numbers and subtracts an origin unless it is NULL; what: their name in messages. Returns the text after
+   them; NULL: they are missing. */
 static char *floats(const obj *o, float *out, int count, char *at, const char *what, const double *origin)
 {
     for (int i = 0; i < count; ++i) {
@@ -112,7 +112,7 @@ static kit_key trimmed(const char *at, size_t length)
 
 static kit_key rest_of(const char *at) { return trimmed(at, strlen(at)); }
 
-/* Names may contain blanks and '#' ("Material #25"), or a comment may follow: the whole name is looked up first. */
+/* Cuts a comment off a name, if it is no name with it: names may contain blanks and '#' ("Material #25"). */
 static kit_key without_comment(kit_key name)
 {
     for (size_t i = 1; i < name.length; ++i)
@@ -141,7 +141,7 @@ static int read_material_line(obj *o, char *line)
     return 0;
 }
 
-/* Reads a file in the OBJ's folder. -1: it is missing; its materials stay grey. */
+/* Reads a file in the OBJ's folder. Returns -1 if it is missing; its materials stay grey. */
 static int read_beside(char path[4096], char **text, const obj *o, kit_key name)
 {
     const char *const slash = strrchr(o->from.path, '/');
@@ -218,7 +218,7 @@ static int same(const corner *a, const corner *b) { return a->flat[0] == b->flat
 static int flatten(corner *c, int count)
 {
     double n[3] = { 0 }, turned = 0;
-    for (int k = 0; k < count; ++k)        /* Newell's normal, relative to corner 0 for precision */
+    for (int k = 0; k < count; ++k)        /* adds up Newell's normal, relative to corner 0 for precision */
         for (int i = 0; i < 3; ++i) {
             const float *o = c[0].position, *p = c[k].position, *q = c[(k + 1) % count].position;
             const int u = (i + 1) % 3, v = (i + 2) % 3;
@@ -247,11 +247,11 @@ static int is_ear(const corner *c, int a, int b, int d)
     for (int k = c[d].next; k != a; k = c[k].next)
         if (turn(&c[a], &c[b], &c[k]) >= 0 && turn(&c[b], &c[d], &c[k]) >= 0 && turn(&c[d], &c[a], &c[k]) >= 0
             && !same(&c[k], &c[a]) && !same(&c[k], &c[b]) && !same(&c[k], &c[d]))
-            return 0;                      /* holes are bridged by doubled corners */
+            return 0;                      /* holes are bridged by corners that occur twice */
     return 1;
 }
 
-/* If no ear is left, for example if the polygon crosses itself, it is cut anywhere. */
+/* Cuts a polygon into triangles. If no ear is left, for example if it crosses itself, any corner is cut off. */
 static int add_polygon(obj *o)
 {
     corner *c = o->corners.data;
@@ -268,14 +268,14 @@ static int add_polygon(obj *o)
         }
         failed = add_triangle(o, &c[a], &c[b], &c[d]);
         c[a].next = d;
-        a = d;                             /* continuing at the next corner avoids fans of slivers */
+        a = d;                             /* goes on at the next corner, which avoids fans of slivers */
         tries = 0;
         --count;
     }
     return failed;
 }
 
-/* Reads "7", or "-1", which counts from the end; out: counted from 0. */
+/* Reads an index, "7", or "-1", which counts from the end; out: counted from 0. */
 static int element(const obj *o, char **at, size_t seen, size_t all, const char *what, size_t *out)
 {
     char *end;
@@ -338,7 +338,7 @@ static int read_vertices(obj *o)
     return 0;
 }
 
-/* The bounds of the vertices that faces use. */
+/* Writes the bounds of the vertices that faces use. */
 static void bounds_of_faces(const obj *o, float lower[3], float upper[3])
 {
     const long all = (long)(o->soup.vertices.count / 3);
@@ -362,7 +362,7 @@ static void bounds_of_faces(const obj *o, float lower[3], float upper[3])
     }
 }
 
-/* If vertices are far from 0, reads them again, in double, about their middle. */
+/* Reads vertices that are far from 0 again, in double, about their middle. */
 static int move_origin(obj *o)
 {
     float lower[3], upper[3];
@@ -416,7 +416,7 @@ static void obj_free(obj *o)
     free(o->corners.data);
 }
 
-/* All lines with only the vertices changed; and MTL files by their full paths, because they are in the OBJ's folder. */
+/* Returns all lines, with moved vertices, and MTL files by full paths, because they are in the OBJ's folder. */
 static char *text_of(const obj *o, size_t room)
 {
     const char *const slash = strrchr(o->from.path, '/');

@@ -17,7 +17,7 @@
 
 /* ---- >>notes ----------------------------------------------------------------------------------------------------- */
 
-/* Notes the origin about which a model is drawn, and the rounding of doubles there. */
+/* Writes into the note the origin about which a model is drawn, and the rounding of doubles there. */
 static void note_origin(char *note, const kit_mesh *mesh)
 {
     const double *at = mesh->origin, away = fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
@@ -31,7 +31,7 @@ static void note_origin(char *note, const kit_mesh *mesh)
 
 /* ---- >>formats --------------------------------------------------------------------------------------------------- */
 
-/* A format, by the first bytes of its files or, if these decide nothing, by their ending. */
+/* A format of models, known by the first bytes of its files or, if these decide nothing, by their ending. */
 typedef struct kind {
     const char *name, *start, *ending;
 } kind;
@@ -53,7 +53,7 @@ static const kind formats[] = {
     { "USD", NULL, ".usd" },
     { "USDZ", NULL, ".usdz" },
     { "Alembic", "Ogawa", ".abc" },
-    /* containers and files that are not models: used if no ending says more */
+    /* formats of containers and files that are not models: used if no ending says more */
     { "a ZIP file", "PK\3\4", NULL },
     { "a gzip file", "\037\213", NULL },
     { "a PNG picture", "\211PNG", NULL },
@@ -74,7 +74,7 @@ static const char *ending_of(const char *path)
     return dot ? dot : "";
 }
 
-/* The name of a format; NULL: it may be an OBJ. */
+/* Returns the name of a file's format; NULL: it may be an OBJ. */
 static const char *format_of(const char *path, const char *bytes, size_t size)
 {
     const char *ending = ending_of(path);
@@ -95,7 +95,7 @@ static const char *format_of(const char *path, const char *bytes, size_t size)
 
 /* ---- >>glTF ------------------------------------------------------------------------------------------------------ */
 
-/* glTF extensions that a file may require and that are read, or change nothing here. Textures only give colours. */
+/* glTF extensions that a file may require: they are read, or change nothing here, as textures only give colours. */
 static const char *const harmless[] = { "KHR_draco_mesh_compression",
                                         "KHR_texture_transform",
                                         "KHR_lights_punctual",
@@ -115,7 +115,7 @@ static int is_of(const char *name, size_t length, const char *const *list, size_
 
 #define IS_OF(name, length, list) is_of(name, length, list, sizeof(list) / sizeof *(list))
 
-/* Needed because Assimp ignores extensions that it does not know. */
+/* Refuses a glTF that requires another extension, because Assimp ignores extensions that it does not know. */
 static int check_extensions(char *note, const char *path, const char *json, kit_error *err)
 {
     const char *at = strstr(json, "\"extensionsRequired\""), *end = at ? strchr(at, ']') : NULL;
@@ -146,7 +146,7 @@ static int check_gltf(char *note, const char *path, kit_error *err)
 
 /* ---- >>another process ------------------------------------------------------------------------------------------- */
 
-/* The other process's answer: this, then the arrays of the mesh and the objects. */
+/* The head of the other process's answer; the arrays of the mesh and the objects follow it. */
 typedef struct answer {
     int failed, objects;
     size_t triangles;
@@ -168,7 +168,7 @@ static int send_all(int to, const void *data, size_t size)
     return 0;
 }
 
-/* Text of a file may contain anything. */
+/* Makes a text of a file, which may contain anything, one line. */
 static void one_line(char *text)
 {
     for (char *c = text; *c; ++c)
@@ -187,7 +187,7 @@ static int take_all(int from, void *data, size_t size)
     return 0;
 }
 
-/* The code of the other process; it does not return. */
+/* Reads a model in the other process; it does not return. */
 static void read_apart(int to, size_t size, const char *note, const char *path, const char *format)
 {
     static answer a;
@@ -213,7 +213,7 @@ static void read_apart(int to, size_t size, const char *note, const char *path, 
           || send_all(to, object, (size_t)a.objects * sizeof *object));
 }
 
-/* 1: the answer is complete; else the other process ended too early, or there is no memory. */
+/* Reads the other process's answer. Returns 1 if it is complete; else the process ended too early, or no memory. */
 static int take_answer(answer *a, kit_mesh *mesh, kit_object **object, int from)
 {
     *mesh = (kit_mesh){ 0 };
@@ -278,7 +278,7 @@ static int assimp_read(kit_mesh *mesh, kit_object **object, int *objects, char *
 
 /* ---- >>OBJ ------------------------------------------------------------------------------------------------------- */
 
-/* Reads a file of no other format as OBJ. */
+/* Reads a file that has no other known format as OBJ. */
 static int obj_read(kit_mesh *mesh, kit_object **object, int *objects, const char *path, kit_error *err)
 {
     kit_error why;

@@ -6,7 +6,7 @@
 
 /* ---- >>noise --------------------------------------------------------------------------------------------------- */
 
-/* a hash of a lattice point, [-1, 1) */
+/* Returns a hash of a lattice point, in [-1, 1). */
 static double lattice(unsigned seed, int x, int y, int z)
 {
     uint32_t h = seed * 0x9e3779b9u ^ (uint32_t)x * 0x85ebca6bu ^ (uint32_t)y * 0xc2b2ae35u ^ (uint32_t)z * 0x27d4eb2fu;
@@ -45,7 +45,7 @@ double kit_fractal(unsigned seed, double x, double y, double z, int octaves)
 
 enum { TUBE_POINTS = 256 };
 
-/* a unit vector perpendicular to way */
+/* Writes a unit vector perpendicular to way. */
 static void across(const double way[3], double out[3])
 {
     const double up[3] = { fabs(way[1]) < 0.9 ? 0 : 1, fabs(way[1]) < 0.9 ? 1 : 0, 0 };
@@ -53,7 +53,7 @@ static void across(const double way[3], double out[3])
     kit_unit(out);
 }
 
-/* the k-th of around points of a ring about c, whose axes are side and up */
+/* Writes the k-th of `around` points of a ring about c, whose axes are side and up. */
 static void ring_point(kit_vertex *v, const double c[3], const double side[3], const double up[3], double radius, int k,
                        int around)
 {
@@ -64,7 +64,7 @@ static void ring_point(kit_vertex *v, const double c[3], const double side[3], c
     }
 }
 
-/* a tube's end: a disc that faces way */
+/* Adds a tube's end: a disc that faces way. */
 static void cap(kit_build *b, const double c[3], const double side[3], const double up[3], const double way[3],
                 double radius, int around)
 {
@@ -180,14 +180,14 @@ void kit_bevelled(kit_build *b, double x0, double y0, double z0, double x1, doub
         for (int side = 0; side < 2; side++) {
             static const int cu[4] = { 0, 1, 1, 0 }, cv[4] = { 0, 0, 1, 1 };
             double face[4][3], edge[4][3];
-            for (int k = 0; k < 4; k++) { /* the face, smaller by the bevel */
+            for (int k = 0; k < 4; k++) { /* the box's faces, smaller by the bevel */
                 const int at = side ? k : 3 - k;
                 face[k][axis] = side ? high[axis] : low[axis];
                 face[k][u] = cu[at] ? high[u] - bevel : low[u] + bevel;
                 face[k][v] = cv[at] ? high[v] - bevel : low[v] + bevel;
             }
             kit_quad(b, (const double(*)[3])face);
-            for (int other = 0; other < 2; other++) { /* the bevels to the faces of the next axis */
+            for (int other = 0; other < 2; other++) { /* the bevels between this face and those of the next axis */
                 const double a = side ? high[axis] : low[axis], in_a = side ? a - bevel : a + bevel,
                              o = other ? high[u] : low[u], in_o = other ? o - bevel : o + bevel;
                 const int flip = side == other;

@@ -16,7 +16,7 @@ const char *kit_scene_builtin(int i, const char **about)
     return b ? b->name : NULL;
 }
 
-/* continues a scene; after a failure its triangles and objects are unchanged, perhaps with more after them */
+/* Continues a scene; after a failure its triangles and objects are unchanged, perhaps with more after them. */
 static kit_build resume(const kit_scene *scene)
 {
     kit_build b;
@@ -26,7 +26,7 @@ static kit_build resume(const kit_scene *scene)
     return b;
 }
 
-/* from the front, above and to the right, as near as possible with all corners of the bounds in view */
+/* Frames the bounds from the front, above and to the right, as near as possible with all of their corners in view. */
 static void frame_bounds(kit_camera *camera, const kit_mesh *mesh)
 {
     double back[3] = { 0.45, 0.35, 1 }, up[3] = { 0, 1, 0 }, right[3], centre[3], distance = 0;
@@ -51,7 +51,7 @@ static void frame_bounds(kit_camera *camera, const kit_mesh *mesh)
     }
 }
 
-/* the built-in scenes' names, as far as there is room */
+/* Lists the built-in scenes' names, as far as there is room. */
 static void list_names(char *names, size_t size)
 {
     size_t used = 0;
@@ -62,7 +62,7 @@ static void list_names(char *names, size_t size)
 static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *err)
 {
     int failed = 0;
-    if (access(path, R_OK)) {              /* opening a pipe would wait for its writer */
+    if (access(path, R_OK)) {              /* checked by access, because opening a pipe would wait for its writer */
         char names[sizeof err->text] = "";
         list_names(names, sizeof names);
         return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s, random:SEED, "

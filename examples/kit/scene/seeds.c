@@ -1,5 +1,5 @@
-/* seeds.c - scenes drawn from a seed: names and kinds, and the variations that all of them have: units, wrong winding,
-   light. Declared in kit_build.h. */
+/* seeds.c - loads scenes drawn from a seed: names and kinds, and the variations that all of them have: units, wrong
+   winding, light. Declared in kit_build.h. */
 #include "kit/kit_seed.h"
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +8,7 @@
 
 enum { WORD = 96 };
 
-/* A scene built from rows; a model of the catalogue on a floor. */
+/* kinds of names: a scene built from rows; a model of the catalogue on a floor */
 enum { RANDOM, MODELS, PREFIXES };
 
 static const char *const prefixes[PREFIXES] = { "random:", "model:" };
@@ -37,7 +37,7 @@ const char *kit_scene_kind(int i, const char **about)
     return kinds[i].name;
 }
 
-/* The prefix of a name; -1: none. */
+/* Returns the index of a name's prefix; -1: none. */
 static int prefix_of(const char *name)
 {
     for (int k = 0; k < PREFIXES; k++)
@@ -47,8 +47,8 @@ static int prefix_of(const char *name)
 
 int kit_scene_seeded(const char *name) { return prefix_of(name) >= 0; }
 
-/* "random:7", "random:streets:7", "model:chair", "model:scopia/chair:7": word gets the part before the seed, without
-   the prefix; a missing seed is 0. */
+/* Splits "random:7", "random:streets:7", "model:chair" or "model:scopia/chair:7": word gets the part before the seed,
+   without the prefix; a missing seed is 0. */
 static int parse(int64_t *seed, char word[WORD], const char *name, kit_error *err)
 {
     const char *const rest = name + strlen(prefixes[prefix_of(name)]), *const colon = strrchr(rest, ':'),
@@ -64,7 +64,7 @@ static int parse(int64_t *seed, char word[WORD], const char *name, kit_error *er
     return 0;
 }
 
-/* The kind that a word names; without a word, the seed's. */
+/* Returns the kind that a word names; without a word, the seed's. */
 static int kind_of(const char *word, int64_t seed, const char *name, kit_error *err)
 {
     char names[256] = "";
@@ -78,7 +78,7 @@ static int kind_of(const char *word, int64_t seed, const char *name, kit_error *
 
 /* ---- >>faults of real models ----------------------------------------------------------------------------------- */
 
-/* Swaps two corners of triangle t; faces: also negates its normals. */
+/* Swaps two corners of triangle t; faces: 1 also negates its normals. */
 static void invert(kit_mesh *m, size_t t, int faces)
 {
     float *const of[2] = { m->position + 9 * t, m->normal + 9 * t };
@@ -107,7 +107,7 @@ static void wrong_winding(kit_build *b)
     free(way);
 }
 
-/* A scene's unit: metres, or another unit that people use. */
+/* Draws the length of a scene's unit: a metre, or another unit that people use. */
 static double draw_unit(kit_build *b)
 {
     static const double units[] = { 1, 1, 1, 1, 1, 100, 100, 39.370079, 0.01, 0.1 };

@@ -23,7 +23,7 @@ void kit_place_tilted(kit_build *b, double x, double y, double z, double turn, d
     b->tilt = tilt;
 }
 
-/* [0, 1), the same on every machine (PCG hash) */
+/* Returns a random number by PCG's hash. */
 double kit_chance(kit_build *b)
 {
     uint32_t x = b->random = b->random * 747796405u + 2891336453u;
@@ -61,7 +61,7 @@ void kit_rotate(const kit_build *b, const double in[3], double out[3])
     out[2] = -s * in[0] + c * z;
 }
 
-/* transforms a point, or a direction, from the frame to the world */
+/* Transforms a point, or a direction, from a frame to the world. */
 static void out_of_frame(const kit_frame *f, double v[3], int point)
 {
     const double in[3] = { v[0], v[1], v[2] };
@@ -263,7 +263,7 @@ void kit_mesh_bounds(kit_mesh *mesh)
         }
 }
 
-/* the index in the scene's mesh of object k's triangle after t; begin with t = o->first - 1 */
+/* Returns the index in the scene's mesh of object k's triangle after t; begin with t = o->first - 1. */
 static size_t next_triangle(const kit_scene *s, int k, size_t t)
 {
     while (s->mesh.object[++t] != (uint32_t)k + 1) {}
@@ -328,7 +328,7 @@ int kit_own_shape(kit_scene *s, int k)
     return own_shape(s, k, triangles);
 }
 
-/* The same for all objects from first on without a shape: counts their triangles in one pass. */
+/* Makes shapes for all objects from first on that have none; it counts their triangles in one pass. */
 static int own_shapes(kit_scene *s, int first)
 {
     size_t *triangles = calloc((size_t)s->objects + 1, sizeof *triangles);
@@ -347,7 +347,7 @@ static int holds(const kit_object *a, const kit_object *b)
     return 1;
 }
 
-/* whether most other objects are within its bounds */
+/* Returns whether most other objects are within the bounds of object k. */
 static int holds_most(const kit_scene *s, int k)
 {
     int held = 0;
@@ -355,7 +355,7 @@ static int holds_most(const kit_scene *s, int k)
     return 2 * held > s->objects - 1;
 }
 
-/* decides whether object k casts, by kit_scene_load's rule, and whether objects around it still do */
+/* Decides whether object k casts, by kit_scene_load's rule, and whether objects around it still do. */
 static void judge(kit_scene *s, int k)
 {
     kit_object *o = &s->object[k];

@@ -1,4 +1,4 @@
-/* solids.c - built-in scenes of closed solids, and of objects that cast. Declared in kit_build.h. */
+/* solids.c - builds scenes of closed solids, and of objects that cast. Declared in kit_build.h. */
 #include "kit/kit_build.h"
 #include <math.h>
 #include <stdio.h>
@@ -39,13 +39,13 @@ void kit_build_columns(kit_build *b)
         if (i & 1) kit_cylinder(b, 0.32, 2.2, 64);
         else kit_box(b, -0.3, 0, -0.3, 0.3, 2.2, 0.3);
         kit_colour(b, hidden[i][0], hidden[i][1], hidden[i][2]);
-        kit_place_at(b, 1.153 * x, gap, -0.95, 0);                              /* in line with the eye */
+        kit_place_at(b, 1.153 * x, gap, -0.95, 0);                              /* the object is in line with the eye */
         if (i < 3) kit_box(b, -0.27, 0, -0.28, 0.27, 1.9, 0.28);
     }
     kit_place_at(b, 0, gap, 0, 0);
-    /* a panel seen edge-on */
+    /* adds a panel seen edge-on */
     kit_colour(b, 0.10, 0.60, 0.16); kit_box(b, -0.03, 0, -1.2, 0.03, 1.1, 0.2);
-    /* outside the picture, to the right */
+    /* this object is outside the image, to the right */
     kit_colour(b, 0.88, 0.24, 0.04); kit_place_at(b, 4.08, gap, -0.63, -28);
     kit_box(b, -0.32, 0, -0.32, 0.32, 1.4, 0.32);
 }
@@ -75,7 +75,7 @@ void kit_build_plates(kit_build *b)
 
 void kit_build_pebbles(kit_build *b)
 {
-    /* x, z, turn, half sides, height */
+    /* a table's x, z, turn, half sides, height */
     static const double tables[2][6] = { {-0.25, -0.2, 24, 0.24, 0.15, 0.30}, {0.48, 0.22, -31, 0.11, 0.11, 0.17} };
     const double gap = 0.0005, cell = 0.1, leg = 0.007;
     kit_colour(b, 0.60, 0.58, 0.55); kit_box(b, -1.8, -0.1, -1.8, 1.8, 0, 1.8);
@@ -85,7 +85,7 @@ void kit_build_pebbles(kit_build *b)
         double height = size * kit_between(b, 0.3, 1.5), slack = cell / 2 - 1.42 * size, turn = kit_between(b, 0, 360);
         int blocked = kit_chance(b) < 0.2;
         x += slack * kit_between(b, -1, 1); z += slack * kit_between(b, -1, 1);
-        for (int k = 0; k < 2; k++) {                                    /* a table's leg is here */
+        for (int k = 0; k < 2; k++) {                                    /* here is a table's leg */
             const double *t = tables[k], c = cos(t[2] * KIT_PI / 180), s = sin(t[2] * KIT_PI / 180), dx = x - t[0],
                          dz = z - t[1];
             blocked |= hypot(fabs(c * dx - s * dz) - t[3], fabs(s * dx + c * dz) - t[4]) < 1.42 * (size + leg);
@@ -122,7 +122,7 @@ void kit_build_boxes(kit_build *b)
 
 void kit_build_spheres(kit_build *b)
 {
-    /* x, z, radius, height above the floor */
+    /* a ball's x, z, radius, height above the floor */
     static const double ball[][4] = { {-2.1, -0.6, 1, 0.001}, {-0.45, -1.7, 0.9, 0.001}, {0.95, -0.5, 0.8, 0.05},
                                       {2.3, 0.3, 0.7, 0.001}, {-0.35, 0.5, 0.6, 0.001}, {0.45, 1.45, 0.5, 0.001},
                                       {-1.35, 1.35, 0.5, 0.12} };
@@ -190,7 +190,7 @@ static const struct { const char *name; void (*make)(kit_build *); double albedo
                    { "cone", make_cone, { 0.72, 0.62, 0.30 } },
                    { "table", make_table, { 0.48, 0.58, 0.42 } } };
 
-/* An object of a kind that rests on the level y: on the ground if y is 0, else on the object before or its stack. */
+/* Adds an object that rests on the level y: on the ground if y is 0, else on the object before or its stack. */
 static void occluder(kit_build *b, int kind, double size, double x, double y, double z, double turn, double tilt)
 {
     kit_scene *s = &b->scene;
@@ -241,7 +241,7 @@ void kit_build_casters(kit_build *b)
 void kit_build_crowd(kit_build *b)
 {
     build_ground(b, 24);
-    for (int i = 0; i < 100; i++) {                                      /* every third leans or lies */
+    for (int i = 0; i < 100; i++) {                                      /* every third object leans or lies */
         const double size = kit_between(b, 0.5, 1.1), x = 1.7 * (i % 10 - 4.5) + kit_between(b, -0.3, 0.3),
                      z = 1.7 * (i / 10 - 4.5) + kit_between(b, -0.3, 0.3);
         const double turn = kit_between(b, 0, 360), tilt = kit_between(b, 20, 160);

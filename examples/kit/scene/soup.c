@@ -1,5 +1,5 @@
-/* soup.c - triangles in the order in which a reader finds them, and the objects that they form. Declared in
-   kit_obj.h. */
+/* soup.c - collects triangles in the order in which a reader finds them, and finds the objects that they form. Declared
+   in kit_obj.h. */
 #include "kit/kit_obj.h"
 #include <math.h>
 #include <stdarg.h>
@@ -54,7 +54,7 @@ int kit_soup_triangle(kit_soup *s, const float *const position[3], const float *
     }
     for (int i = 0; i < 3; ++i) n[i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
     double area = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    if (!(area > 1e-9 * longest)) return 0; /* floats cannot tell it from a line */
+    if (!(area > 1e-9 * longest)) return 0; /* with so small an area floats cannot tell the triangle from a line */
     float *to = kit_array_add(&s->position, 9, sizeof(float), from),
           *turned = kit_array_add(&s->normal, 9, sizeof(float), from);
     float *colour = kit_array_add(&s->albedo, 3, sizeof(float), from);
@@ -77,12 +77,12 @@ int kit_soup_triangle(kit_soup *s, const float *const position[3], const float *
 
 /* ---- objects ------------------------------------------------------------------------------------------------- */
 
-/* first[i]: the first key whose bytes equal those of key i. Found by a hash table with open addressing. */
+/* Sets first[i] to the first key whose bytes equal those of key i, by a hash table with open addressing. */
 static int first_of_equals(uint32_t *first, const kit_key *keys, size_t count)
 {
     size_t size = 16;
     while (size < 2 * count) size *= 2;
-    uint32_t *slot = calloc(size, sizeof *slot);        /* index of a key, plus 1 */
+    uint32_t *slot = calloc(size, sizeof *slot);        /* index of a key, plus 1; 0: empty */
     for (size_t i = 0; slot && i < count; ++i) {
         size_t at = kit_hash(KIT_HASH, keys[i].bytes, keys[i].length) & (size - 1);
         for (; slot[at]; at = (at + 1) & (size - 1)) {
@@ -106,7 +106,7 @@ static uint32_t root(uint32_t *parent, uint32_t t)
     return t;
 }
 
-/* Renumbers kinds below limit from 1 on, in the order of their first use. Returns their number, -1 without memory. */
+/* Renumbers kinds below limit from 1 on, by their first use. Returns the number of kinds, -1 without memory. */
 static int64_t number_kinds(uint32_t *kind, size_t count, size_t limit)
 {
     uint32_t *number = calloc(limit, sizeof *number), numbers = 0;
@@ -118,7 +118,7 @@ static int64_t number_kinds(uint32_t *kind, size_t count, size_t limit)
     return number ? (int64_t)numbers : -1;
 }
 
-/* The same for names: o lines (way 0) or g lines (way 1) of the triangles. */
+/* Numbers the triangles' names, o lines (way 0) or g lines (way 1), in the order of their first use. */
 static int64_t number_names(uint32_t *number, const kit_soup *s, int way)
 {
     const size_t triangles = s->number.count, names = s->named[way].count;
@@ -132,7 +132,7 @@ static int64_t number_names(uint32_t *number, const kit_soup *s, int way)
 
 static uint32_t vertex_of(const uint32_t *vertex, size_t corner) { return vertex ? vertex[corner] : (uint32_t)corner; }
 
-/* The same for connected parts: vertices at equal positions are one. */
+/* Numbers the connected parts likewise: vertices at equal positions are one. */
 static int64_t number_parts(uint32_t *number, const kit_soup *s)
 {
     const size_t triangles = s->number.count, shared = s->vertices.count / 3;
@@ -245,7 +245,7 @@ int kit_origin_move(double origin[3], const float lower[3], const float upper[3]
         away = fmax(away, fabs(middle[i]));
     }
     if (!(away > KIT_AWAY * diagonal && away <= (double)KIT_FARTHEST)) return 0;
-    const double step = diagonal > 0 ? exp2(floor(log2(diagonal))) : 0; /* so that the number has few digits */
+    const double step = diagonal > 0 ? exp2(floor(log2(diagonal))) : 0; /* a power of 2: the number has few digits */
     for (int i = 0; i < 3; ++i) origin[i] += step > 0 ? step * rint(middle[i] / step) : middle[i];
     return 1;
 }

@@ -1,4 +1,4 @@
-/* texture.c - textures of models: their mean colour, and whether their alpha cuts holes. Declared in kit_models.h. */
+/* texture.c - reads models' textures: their mean colour, and if alpha cuts holes. Declared in kit_models.h. */
 #include "kit/kit_models.h"
 #include <limits.h>
 #include <math.h>
@@ -33,7 +33,7 @@ void kit_picture_mean(const kit_picture *t, int least, float rgb[3])
     const size_t texels = (size_t)t->width * (size_t)t->height;
     double linear[256], sum[3] = { 0 };
     size_t counted = 0;
-    for (int v = 0; v < 256; ++v) /* sRGB [IEC 61966-2-1] */
+    for (int v = 0; v < 256; ++v) /* converts sRGB to linear [IEC 61966-2-1] */
         linear[v] = v <= 10 ? v / 255.0 / 12.92 : pow((v / 255.0 + 0.055) / 1.055, 2.4);
     for (size_t i = 0; i < texels; ++i) {
         if (t->texel[4 * i + 3] < least) continue;

@@ -1,4 +1,4 @@
-/* thin.c - built-in scenes of thin things: grass, a veranda. Declared in kit_build.h. */
+/* thin.c - builds scenes of thin things: grass, a veranda. Declared in kit_build.h. */
 #include "kit/kit_build.h"
 #include <math.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static void ground_surface(const void *shape, double u, double v, kit_vertex *ou
     kit_unit(out->n);
 }
 
-/* a blade of length and width in the plane of z and y, bent from a start lean by bend radians in all */
+/* Writes a point of a blade, length by width in the plane of z and y, bent from start lean by bend radians. */
 static void blade_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, length = s[0], bend = s[2] + 1e-3, lean = s[3], a = lean + bend * v;
@@ -32,7 +32,7 @@ static void blade_surface(const void *shape, double u, double v, kit_vertex *out
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = cos(a);
 }
 
-/* distance of the stone's surface from p, in units of the direction's radius: 0 on it */
+/* Returns a stone's signed distance at p, in units of the stone's radius in that direction: 0 on the surface. */
 static double stone(const double *seed, const double p[3])
 {
     double q[3] = { p[0] / 1.2, p[1] / 0.75, p[2] };
@@ -48,7 +48,7 @@ static void stone_surface(const void *shape, double u, double v, kit_vertex *out
     kit_vertex s;
     kit_sphere_surface(seed, u, v, &s);
     for (int i = 0; i < 3; i++) d[i] = s.n[i] * (i == 0 ? 1.2 : i == 1 ? 0.75 : 1);
-    /* the surface is at d * k: stone() is affine along d */
+    /* the surface is at d * k, because stone() is affine along d */
     k = 1 - stone(seed, d);
     for (int i = 0; i < 3; i++) {
         double a[3] = { d[0] * k, d[1] * k, d[2] * k }, c[3];
@@ -76,7 +76,7 @@ void kit_build_grass(kit_build *b)
         kit_place_at(b, s[0], ground(s[0], s[1], &dx, &dz) + 0.3 * s[2], s[1], 70 * i);
         kit_patch(b, 96, 48, stone_surface, shape);
     }
-    /* equally many in each ring of distances: even density in the picture */
+    /* equally many blades in each ring of distances, so that they are evenly dense in the image */
     for (int i = 0; i < 20000; i++) {
         double distance = 0.9 * pow(18, kit_chance(b)), angle = kit_between(b, -0.85, 0.85), x = distance * sin(angle),
                z = 3 - distance * cos(angle);
@@ -97,7 +97,7 @@ void kit_build_grass(kit_build *b)
 
 /* ---- >>slats: a veranda of thin things, most of them lit from behind -------------------------------------------- */
 
-/* hangs from its top edge: s[0] half width, s[1] length, s[2] folds of uneven depth, deeper and wider below */
+/* Writes a point of a curtain: s[0] half width, s[1] length, s[2] folds of uneven depth, deeper and wider below. */
 static void curtain_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, folds = 2 * KIT_PI * s[2], a = folds * u + 0.9 * sin(2 * KIT_PI * u + s[3]);
@@ -109,7 +109,7 @@ static void curtain_surface(const void *shape, double u, double v, kit_vertex *o
     kit_unit(out->n);
 }
 
-/* an open half pipe along x: half length, radius */
+/* Writes a point of an open half pipe along x: half length, radius. */
 static void gutter_surface(const void *shape, double u, double v, kit_vertex *out)
 {
     const double *s = shape, a = KIT_PI * v;
@@ -117,7 +117,7 @@ static void gutter_surface(const void *shape, double u, double v, kit_vertex *ou
     out->n[0] = 0; out->n[1] = -sin(a); out->n[2] = -cos(a);
 }
 
-/* Round links from one point to another, which sag by sag in the middle. */
+/* Adds round links from one point to another, which sag by sag in the middle. */
 static void chain(kit_build *b, const double from[3], const double to[3], double sag, const double link[2])
 {
     const double way[2] = { to[0] - from[0], to[2] - from[2] }, run = hypot(way[0], way[1]);
@@ -133,7 +133,7 @@ static void chain(kit_build *b, const double from[3], const double to[3], double
     }
 }
 
-/* A row of slats across: sheets without thickness, or boards. */
+/* Adds a row of slats across: sheets without thickness, or boards. */
 static void slats(kit_build *b, const double at[3], double turn, double tilt, double step, int count,
     const double half[3])
 {
@@ -147,10 +147,10 @@ static void slats(kit_build *b, const double at[3], double turn, double tilt, do
 static void veranda(kit_build *b)
 {
     static const double inner[4][3] = { {-4,0,-0.9}, {4,0,-0.9}, {4,3,-0.9}, {-4,3,-0.9} };
-    kit_colour(b, 0.50, 0.40, 0.30);                                     /* decking over gravel, with gaps of a pixel */
+    kit_colour(b, 0.50, 0.40, 0.30);                                /* adds decking over gravel, with gaps of a pixel */
     for (int i = 0; i < 58; i++) kit_box(b, -4 + 0.14 * i, -0.028, 0, -3.868 + 0.14 * i, 0, 5.4);
     kit_colour(b, 0.35, 0.34, 0.32); kit_level(b, -4, 0, 4.12, 5.4, -0.2);
-    kit_colour(b, 0.74, 0.71, 0.64);                                     /* the wall: window, door, a room behind */
+    kit_colour(b, 0.74, 0.71, 0.64);                                    /* adds the wall: window, door, a room behind */
     kit_box(b, -4, -0.2, -0.25, -1.5, 3.2, 0); kit_box(b, -1.5, -0.2, -0.25, 0.35, 0.85, 0);
     kit_box(b, -1.5, 2.2, -0.25, 0.35, 3.2, 0); kit_box(b, 0.35, -0.2, -0.25, 0.95, 3.2, 0);
     kit_box(b, 0.95, 2.25, -0.25, 2.1, 3.2, 0); kit_box(b, 2.1, -0.2, -0.25, 4, 3.2, 0);
@@ -158,7 +158,7 @@ static void veranda(kit_build *b)
     kit_colour(b, 0.60, 0.55, 0.50); kit_quad(b, inner);
 }
 
-/* Frame, sill, blind with its cords. */
+/* Adds a frame, a sill and a blind with its cords. */
 static void window_and_blind(kit_build *b)
 {
     static const double blind[3] = { 0.86, 0, 0.024 };
@@ -174,7 +174,7 @@ static void window_and_blind(kit_build *b)
         kit_box(b, -1.276 + 0.7 * i, 1.05, -0.037, -1.274 + 0.7 * i, 2.16, -0.035);
 }
 
-/* A curtain on rings, a net across the window. */
+/* Adds a curtain on rings and a net across the window. */
 static void curtains(kit_build *b)
 {
     static const double curtain[4] = { 0.62, 2.06, 9, 0.6 }, net[4] = { 0.46, 1.25, 13, 2.2 };
@@ -191,7 +191,7 @@ static void curtains(kit_build *b)
     }
 }
 
-/* The gutter on brackets, a chain that drains it. */
+/* Adds the gutter on brackets and a chain that drains it. */
 static void gutter_and_chain(kit_build *b)
 {
     static const double link[2] = { 0.024, 0.0045 }, gutter[2] = { 3.4, 0.055 };
@@ -203,7 +203,7 @@ static void gutter_and_chain(kit_build *b)
     chain(b, hook, drain, 0, link);
 }
 
-/* A screen of three leaves with louvres. */
+/* Adds a screen of three leaves with louvres. */
 static void screen(kit_build *b)
 {
     static const double louvre[3] = { 0.25, 0.004, 0.03 };
@@ -244,7 +244,7 @@ static void planter_and_ball(kit_build *b)
     kit_patch(b, 64, 32, kit_sphere_surface, &ball);
 }
 
-/* A railing; posts with slack chains. */
+/* Adds a railing, and posts with slack chains. */
 static void railing_and_posts(kit_build *b)
 {
     static const double large[2] = { 0.04, 0.008 };

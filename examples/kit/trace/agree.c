@@ -1,15 +1,15 @@
-/* agree.c - whether the normals of a frame fit its depth under the camera. Declared in kit.h. */
+/* agree.c - measures whether the normals of a frame fit its depth under the camera. Declared in kit.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
 
-/* About so many pixels across are checked. */
+/* about so many pixels of a row are checked */
 enum { ACROSS = 512 };
 
 static int seen(float z) { return z > 0 && z < SSGI_FAR; }
 
-/* The vector from the previous pixel to the next, along a row (axis 0, to the right) or a column (1, up), in view
-   space. 0: the three are not on one surface: on a plane u (1/z; z if orthographic) has the same step everywhere. */
+/* Writes the vector from the pixel before to the next, along a row (axis 0, to the right) or column (1, up), in view
+   space. Returns 0 if they are not on one surface: on a plane u (1/z; z if orthographic) has one step. */
 static int along(const kit_camera *camera, const float *z, int x, int y, int axis, double way[3])
 {
     const int step[2] = { axis ? 0 : 1, axis ? -1 : 0 }, next = step[0] + step[1] * camera->width;
@@ -29,7 +29,7 @@ static int along(const kit_camera *camera, const float *z, int x, int y, int axi
     return 1;
 }
 
-/* The tangent of the angle to the view axis; 0 near 0 and 90 degrees, where rounding hides the lens's effect. */
+/* Returns the tangent of the angle to the view axis; 0 near 0 and 90 degrees, where rounding hides a lens. */
 static double slope(const double n[3])
 {
     const double across = hypot(n[0], n[1]);

@@ -1,11 +1,11 @@
-/* camera.c - cameras: axes, matrices, planes, rays through pixels. Declared in kit.h and kit_trace.h. */
+/* camera.c - computes axes, matrices, planes, and rays through pixels of cameras. Declared in kit.h and kit_trace.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- cameras ------------------------------------------------------------------------------------------------ */
 
-/* Rows of the rotation: right, up, backward. An up along the line of sight is replaced by the axis farthest from it; an
+/* Writes the axes as rows of the rotation. An up along the line of sight is replaced by the axis farthest from it; an
    eye at the target looks along -z. */
 void kit_camera_axes(const kit_camera *camera, double axes[3][3])
 {
@@ -48,7 +48,7 @@ void kit_camera_view_ray(const kit_camera *camera, int x, int y, double o[3], do
     d[2] = -1;
 }
 
-/* The near plane is a little before the bounds, but at least at a thousandth of the far plane, so that window depth
+/* Sets the near plane a little before the bounds, but at least at a thousandth of the far plane, so that window depth
    stays precise. Orthographic depth is uniform, so a far eye must not widen its range. */
 void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
 {
@@ -63,7 +63,7 @@ void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
         nearest = fmin(nearest, depth);
         farthest = fmax(farthest, depth);
     }
-    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing is in front of the camera */
+    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;  /* nothing is in front of the camera, so any planes do */
     if (flat) {
         const double spare = 0.01 * (farthest - fmin(fmax(nearest, 0), 0.9 * farthest));
         if (!(camera->zfar > 0)) camera->zfar = (float)(fmax(farthest, (double)camera->znear) + spare);
@@ -92,7 +92,7 @@ void kit_camera_orbit(kit_camera *camera, const kit_camera *from, double degrees
     }
 }
 
-/* An orthographic camera has no far plane at infinity: INFINITE is REVERSED for it. */
+/* Writes the matrices. An orthographic camera has no far plane at infinity: INFINITE is REVERSED for it. */
 void kit_camera_matrices(const kit_camera *camera, float view[16], float projection[16])
 {
     double axes[3][3], half[2], eye[3], p[16] = { 0 };
@@ -152,7 +152,7 @@ void kit_camera_from_header(kit_camera *camera, const kit_header *header)
         for (int i = 0; i < 3; ++i) {
             eye[i] = 0;
             for (int k = 0; k < 3; ++k) eye[i] -= (double)m[4 * i + k] * (double)m[12 + k];
-            far = fmax(far, fabs(eye[i]));         /* rounding would displace a target at 1 */
+            far = fmax(far, fabs(eye[i]));        /* from a far eye, a target at distance 1 would be lost in rounding */
         }
         for (int i = 0; i < 3; ++i) {
             camera->eye[i] = (float)eye[i];

@@ -1,4 +1,4 @@
-/* floor.c - the floor: the best ambient visibility that one depth layer allows, by ray tracing. Declared in kit.h. */
+/* floor.c - ray-traces the floor, the best ambient visibility that one depth layer allows. Declared in kit.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
@@ -11,15 +11,15 @@ typedef struct floor_job {
     kit_camera   camera;
     int          width, height, stride;
     const float *z, *n[3];
-    float       *position;          /* 3 a pixel, view space */
+    float       *position;          /* 3 floats a pixel, view space */
     uint32_t    *index;             /* a row of 2x2 blocks has up to 2 (width - 1) triangles */
-    uint32_t    *count;             /* triangles of each row of blocks */
+    uint32_t    *count;             /* number of triangles of each row of blocks */
     float       *out;
 } floor_job;
 
 static int surface(const floor_job *job, size_t pixel) { return job->z[pixel] > 0 && job->z[pixel] < SSGI_FAR; }
 
-/* unit, from the frame; if that has none, toward the viewer */
+/* Writes the frame's unit normal; if it has none, the direction toward the viewer. */
 static void floor_normal(const floor_job *job, size_t pixel, const double ray[3], double n[3])
 {
     for (int i = 0; i < 3; ++i) n[i] = (double)job->n[i][pixel];
@@ -28,8 +28,8 @@ static void floor_normal(const floor_job *job, size_t pixel, const double ray[3]
     kit_unit(n);
 }
 
-/* The change of view depth from pixel a to pixel b on the tangent plane of a. Beyond 89 degrees (n within 1/64 of
-   edge-on) the plane is turned back to that. */
+/* Returns the change of view depth from pixel a to pixel b on the tangent plane of a. Beyond 89 degrees (n within 1/64
+   of edge-on) the plane is turned back to that. */
 static double plane_step(const double a[3], double depth, const double n[3], const double o[3], const double d[3])
 {
     double facing = kit_dot(n, d), height = 0;
@@ -38,12 +38,12 @@ static double plane_step(const double a[3], double depth, const double n[3], con
     return height / facing;
 }
 
-/* Whether two neighbouring pixels are on one surface: their tangent planes must meet between them. So the change in
-   depth must be between the changes that the two planes predict, within a tolerance of half a pixel's footprint and
-   half of the smaller change (normals are interpolated, surfaces bend). Planes are joined at any slant, and so are
-   creases; silhouettes are cut, because the surface behind does not lead up to them. If only one of the planes is
-   steep, its prediction is limited to 16 footprints: to two pixels, the rim of a ball in front of a wall looks like a
-   crease. */
+/* Returns whether two neighbouring pixels are on one surface: their tangent planes must meet between them. So the
+   change in depth must be between the changes that the two planes predict, within a tolerance of half a pixel's
+   footprint and half of the smaller change (normals are interpolated, surfaces bend). Planes are joined at any slant,
+   and so are creases; silhouettes are cut, because the surface behind does not lead up to them. If only one of the
+   planes is steep, its prediction is limited to 16 footprints: to two pixels, the rim of a ball in front of a wall
+   looks like a crease. */
 static int joined(const floor_job *job, int xa, int ya, int xb, int yb)
 {
     const size_t a = (size_t)ya * (size_t)job->width + (size_t)xa, b = (size_t)yb * (size_t)job->width + (size_t)xb;
@@ -80,11 +80,11 @@ static void floor_place(void *context, int y)
     }
 }
 
-/* Chooses the diagonal of a block that keeps more triangles, else the shorter in depth. Corners 0 1 over 2 3. */
+/* Chooses the diagonal of a 2x2 block that keeps more triangles, else the shorter in depth. Corners 0 1 over 2 3. */
 static void floor_join(void *context, int y)
 {
     static const int edge[6][2] = { { 0, 1 }, { 0, 2 }, { 1, 3 }, { 2, 3 }, { 0, 3 }, { 1, 2 } };
-    /* corners of a triangle; its edges */
+    /* a triangle's three corners of the block; its three edges */
     static const int triple[4][6] = {
         { 0, 2, 3, 1, 3, 4 }, { 0, 3, 1, 0, 2, 4 }, { 0, 2, 1, 0, 1, 5 }, { 1, 2, 3, 2, 3, 5 }
     };
@@ -136,7 +136,7 @@ static size_t floor_triangles(floor_job *job)
     size_t triangles = 0;
     kit_parallel(NULL, job->height, floor_place, job);
     kit_parallel(NULL, job->height - 1, floor_join, job);
-    for (size_t y = 0; y < blocks; ++y) {               /* move each row's triangles behind those of the row before */
+    for (size_t y = 0; y < blocks; ++y) {               /* moves each row's triangles behind those of the row before */
         memmove(job->index + 3 * triangles, job->index + 3 * row * y, 3 * job->count[y] * sizeof *job->index);
         triangles += job->count[y];
     }

@@ -1,5 +1,4 @@
-/* lit.c - ray-traced light of an environment and of lights, and of one bounce; one specular bounce. Declared in
-   kit.h. */
+/* lit.c - ray-traces light of an environment and of lights, and one bounce; one specular bounce. Declared in kit.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
@@ -7,8 +6,6 @@
 
 /* ---- >>chance ---------------------------------------------------------------------------------------------------- */
 
-/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if all weights are 0),
-   and returns their mean. */
 double kit_accumulate(float *cdf, int n)
 {
     double total = 0, sum = 0;
@@ -21,7 +18,7 @@ double kit_accumulate(float *cdf, int n)
     return total / n;
 }
 
-double kit_pick(const float *cdf, int n, float u)        /* where the running sum is u, in [0, n) */
+double kit_pick(const float *cdf, int n, float u)       /* returns the index at which the running sum is u, in [0, n) */
 {
     int low = 0, high = n;
     while (high - low > 1) {
@@ -34,8 +31,8 @@ double kit_pick(const float *cdf, int n, float u)        /* where the running su
 
 /* ---- >>environment ----------------------------------------------------------------------------------------------- */
 
-/* A lamp: a texel much brighter than the rest. Bilinear interpolation makes it a hat over the texels around; the rest
-   of the map is as if this texel were black. */
+/* A lamp: a texel much brighter than the other texels. Bilinear interpolation makes it a hat function over its
+   neighbours; the other texels are treated as if it were black. */
 typedef struct lamp { int x, y; float rgb[3]; } lamp;
 
 enum { MOST_LAMPS = 512 };
@@ -49,8 +46,8 @@ static double luminance_of(const kit_image *env, size_t i)
            + 0.0722 * (double)env->data[2 * texels + i];
 }
 
-/* Takes the lamps, at most the MOST_LAMPS brightest, out of the environment. Each gets a ray from every place, so that
-   its light is noisy only if the lamp is half hidden. Rows at the poles have no lamps: hats are wider there. */
+/* Takes the lamps, at most the MOST_LAMPS brightest, out of the environment. Each place sends a ray to every lamp, so
+   that a lamp's light is noisy only if it is half hidden. Rows at the poles have no lamps: hats are wider there. */
 static int lamps_begin(kit_truth *job, kit_image *rest, kit_error *err)
 {
     const kit_image *env = &job->lighting->env;
@@ -87,9 +84,9 @@ static int lamps_begin(kit_truth *job, kit_image *rest, kit_error *err)
     return 0;
 }
 
-/* Directions are drawn by cells, each a texel or a part of one, by the mean luminance of bilinear look-ups in it times
-   its solid angle. (For a part, its midpoint gives that mean exactly; for a texel, the midpoints of its quarters do.)
-   Small cells follow a light of a few texels, within which radiance varies as much as over the sphere. */
+/* Directions are drawn by cells, each a texel or a part of one, by its mean luminance times its solid angle. (For a
+   part, its midpoint gives the bilinear mean exactly; for a texel, the midpoints of its quarters do.) Small cells
+   follow a light of a few texels, within which radiance varies as much as over the sphere. */
 enum { ENV_CELLS = 1 << 21, ENV_PARTS = 4 };
 
 static void env_build_row(void *context, int y)
@@ -112,7 +109,7 @@ static void env_build_row(void *context, int y)
     job->env_row[y + 1] = (float)(kit_accumulate(column, cells[0]) * sin(KIT_PI * (y + 0.5) / cells[1]));
 }
 
-/* Makes running sums over the rows of cells of the environment, and along each row. A black one counts as none. */
+/* Makes running sums over the environment's rows of cells, and along each row. A black one counts as none. */
 static int env_begin(kit_truth *job, kit_error *err)
 {
     const kit_image *env = job->env;
@@ -198,14 +195,14 @@ static void add_light(const kit_truth *job, const kit_place *at, const kit_light
     const double length = sqrt(kit_facing(to, to)),
                  weight = kit_facing(at->n, to) / length / KIT_PI / (sun ? 1 : length * length);
     if (!(weight > 0) || !isfinite(weight)) return;
-    /* a surface around the light does not shadow it */
+    /* the ray ends before the light, so that a surface around it does not shadow it */
     const float all = sun ? INFINITY : 0.99999f, reach = job->lighting->reach;
     if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, reach > 0 ? fminf(all, reach / (float)length) : all))
         return;
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)light->colour[c];
 }
 
-/* Adds the light that the hit of ray number r sends back, weighted. */
+/* Adds the light that the hit of ray number r sends back, times the weight. */
 static void add_sent(const kit_truth *job, const ssgi_hit *hit, const float d[3], uint32_t r, uint32_t seed,
                      double weight, int rays, double sum[3])
 {
@@ -214,7 +211,7 @@ static void add_sent(const kit_truth *job, const ssgi_hit *hit, const float d[3]
     double light[3] = { 0 };
     kit_place next;
     kit_place_of(job->mesh, hit, d, &next);
-    /* shuffled, so that hits and directions from there stay independent */
+    /* the index is shuffled, so that hits and directions from there stay independent */
     kit_gather(job, &next, hit_seed, kit_scramble(kit_reverse(r), shuffle) & job->ambient.mask, one, light, NULL);
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)next.albedo[c] * light[c] / rays;
 }
@@ -258,7 +255,7 @@ static void lit_pixel(const kit_truth *job, uint32_t pixel, const kit_place *at,
     }
 }
 
-/* job: set pixel and its inputs */
+/* Ray-traces an image of light. job: the caller sets pixel and the members that pixel reads. */
 static int lit_run(kit_truth *job, kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius,
                    int attenuation, int rays, int stride, kit_error *err)
 {

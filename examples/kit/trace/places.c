@@ -1,11 +1,11 @@
-/* places.c - divides a picture into edges, border and interior, to locate its error. Declared in kit.h. */
+/* places.c - divides an image into edges, border and interior, to locate its error. Declared in kit.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* A row or a column of the frame, read as u, which is linear on planes: 1/z if perspective, else z. The background of a
-   perspective picture has u = 0, at which planes end. */
+   perspective image has u = 0, at which planes end. */
 typedef struct line { const float *z; size_t first, step; int count, perspective; double least; } line;
 
 static int seen(float z) { return z > 0 && z < SSGI_FAR; }
@@ -16,8 +16,8 @@ static double u_of(const line *l, int i)
     return !seen(z) ? 0 : l->perspective ? 1 / (double)z : (double)z;
 }
 
-/* Whether depth jumps between pixel i and the next: u changes by more, or by less, than on both sides. On a plane of
-   any tilt the change is constant; at the fold of two planes it is between theirs. */
+/* Returns whether depth jumps between pixel i and the next: u changes by more, or by less, than on both sides. On a
+   plane of any tilt the change is constant; at the fold of two planes it is between theirs. */
 static int jumps(const line *l, int i)
 {
     const float a = l->z[l->first + (size_t)i * l->step], b = l->z[l->first + (size_t)(i + 1) * l->step];
@@ -28,12 +28,12 @@ static int jumps(const line *l, int i)
     if (!l->perspective && seen(a) != seen(b)) return 1;
     if (!(off > 0)) return 0;
     if (seen(a) != seen(b)) return 1;
-    if (l->perspective) off *= (double)a * (double)b;          /* converted to a difference of depths */
+    if (l->perspective) off *= (double)a * (double)b;          /* converts the difference of u to one of depths */
     return off > fmax(l->least, 0.002 * fmin((double)a, (double)b));
 }
 
-/* Marks each pixel beside a jump and the next two. The outermost pairs are not tested, because their outer neighbours
-   are unknown. */
+/* Marks the pixels beside each jump and the next two. The outermost pairs are not tested, because their outer
+   neighbours are unknown. */
 static void mark(float *edge, const line *l)
 {
     for (int i = 1; i + 2 < l->count; ++i) {

@@ -1,13 +1,13 @@
-/* reflected.c - ray-traced ground truth of the light that ambient visibility approximates: of a white room whose
-   surfaces reflect, and of glossy lobes. Declared in kit.h. */
+/* reflected.c - ray-traces the light that ambient visibility approximates: of a white room whose surfaces reflect, and
+   of glossy lobes. Declared in kit.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 
 static const float albedos[] = KIT_REFLECTED_ALBEDOS, roughnesses[] = KIT_REFLECTED_ROUGHNESSES;
 enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof roughnesses / sizeof *roughnesses) };
 
-/* Light of 1 from outside the radius that reaches the place after any number of reflections: at each surface a path
-   continues with the weight of the occluder there. */
+/* Adds light of 1 from outside the radius that reaches the place after any number of reflections: at each surface a
+   path continues with the weight of the occluder there. */
 static void white_of(const kit_ambient *a, const kit_mesh *mesh, const kit_place *at, const float first[3],
                      uint32_t seed, double sum[ALBEDOS])
 {
@@ -25,7 +25,7 @@ static void white_of(const kit_ambient *a, const kit_mesh *mesh, const kit_place
             sum[k] += sent[k] * (1 - taken);
             sent[k] *= taken * (double)albedos[k];
         }
-        if (!(sent[ALBEDOS - 1] > 1e-4)) return;        /* the last albedo is the greatest */
+        if (!(sent[ALBEDOS - 1] > 1e-4)) return;   /* the last albedo is the greatest, so that nothing is left of any */
         kit_place_of(mesh, &hit, d, &next);
         from = next;
         kit_ambient_point(a, seed & a->mask, kit_mix(seed + i), u);
@@ -33,7 +33,7 @@ static void white_of(const kit_ambient *a, const kit_mesh *mesh, const kit_place
     }
 }
 
-/* The visible part of a lobe: half vectors of GGX's distribution about the normal mirror the view. */
+/* Returns the visible part of a lobe: half vectors of GGX's distribution about the normal mirror the view. */
 static double lobe_of(const kit_ambient *a, const kit_place *at, const float toward[3], double roughness, uint32_t seed)
 {
     double open = 0, all = 0;

@@ -1,4 +1,4 @@
-/* scatter.c - multiple scattering under surfaces: the sum over the whole mesh. Declared in kit.h. */
+/* scatter.c - sums multiple scattering under surfaces over the whole mesh. Declared in kit.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
 #include <stdlib.h>
@@ -6,15 +6,15 @@
 
 /* ---- under surfaces ------------------------------------------------------------------------------------------- */
 
-enum { REFLECTANCES = 16384 };                  /* entries of a table of the dipole's reflectance by distance */
+enum { REFLECTANCES = 16384 };                  /* entries of the table of the dipole's reflectance by distance */
 
 typedef struct scattering {
     kit_truth job;
-    float *area;                                /* running sum over the triangles */
-    /* position, irradiance over pi: 4 floats each; once all are made, only lit samples */
+    float *area;                                /* running sum of area over the triangles */
+    /* position, irradiance over pi: 4 floats a sample; once all are made, only lit samples */
     float *sample;
     size_t samples;
-    float  per_unit, table[REFLECTANCES][4];    /* entries per world unit; reflectance times a sample's area, and 0 */
+    float  per_unit, table[REFLECTANCES][4]; /* entries per world unit of distance; a sample's area times reflectance */
 } scattering;
 
 static void scatter_place(void *context, int block)
@@ -50,11 +50,11 @@ static void scatter_pixel(const kit_truth *job, uint32_t pixel, const kit_place 
     (void)pixel;
     for (size_t i = 0; i < s->samples;) {
         float sum[4] = { 0, 0, 0, 0 };
-        /* few at a time, because float sums lose precision */
+        /* sums few samples at a time, because long float sums lose precision */
         for (const size_t end = i + 256 < s->samples ? i + 256 : s->samples; i < end; ++i) {
             const float *p = s->sample + 8 * i, x = p[0] - at->origin[0], y = p[1] - at->origin[1],
                         z = p[2] - at->origin[2];
-            /* no distance exceeds the bounds' diagonal */
+            /* d stays in the table: no distance exceeds the bounds' diagonal */
             const float d = s->per_unit * sqrtf(x * x + y * y + z * z), t = d - (float)(int)d, *a = s->table[(int)d];
             for (int c = 0; c < 4; ++c) sum[c] += p[4 + c] * (a[c] + t * (a[4 + c] - a[c]));
         }

@@ -1,4 +1,4 @@
-/* truth.c - ray-traced ground truth: rays from a point, a picture of them, ambient visibility. Declared in kit.h and
+/* truth.c - ray-traces ground truth: rays from a point, an image of them, ambient visibility. Declared in kit.h and
    kit_trace.h. */
 #include "kit/kit_trace.h"
 #include <math.h>
@@ -37,7 +37,7 @@ void kit_ambient_point(const kit_ambient *a, uint32_t i, uint32_t seed, float at
     at[1] = (float)(kit_scramble(a->points[i], kit_mix(seed ^ 0x9e3779b9u)) >> 8) * (1.0f / 16777216.0f);
 }
 
-/* in an orthonormal basis about n [Duff et al. 2017] */
+/* Builds an orthonormal basis about n [Duff et al. 2017]. */
 void kit_around(const float n[3], float x, float y, float z, float d[3])
 {
     const float sign = n[2] < 0 ? -1.0f : 1.0f, k = -1.0f / (sign + n[2]), m = n[0] * n[1] * k;
@@ -48,7 +48,7 @@ void kit_around(const float n[3], float x, float y, float z, float d[3])
 
 void kit_cosine_direction(const float n[3], const float at[2], float d[3])
 {
-    /* square to disc by rings [Shirley and Chiu 1997], disc to cosine-weighted hemisphere [Malley] */
+    /* maps the square to a disc by rings [Shirley and Chiu 1997], the disc to a cosine-weighted hemisphere [Malley] */
     const float u = 2 * at[0] - 1, v = 2 * at[1] - 1;
     const int   wide = fabsf(u) > fabsf(v);
     const float ring = wide ? u : v, turn = ring != 0 ? 0.785398163f * (wide ? v / u : u / v) : 0.0f;
@@ -152,9 +152,9 @@ static int truth_primary(const kit_truth *job, int x, int y, kit_place *at)
     kit_camera_axes(&job->camera, axes);
     kit_camera_ray(&job->camera, x, y, origin, direction);
     for (int i = 0; i < 3; ++i) d[i] = (double)direction[i];
-    /* the near and far planes cut as in the G-buffer */
+    /* near and far planes cut surfaces as in the G-buffer */
     const double slant = -kit_dot(d, axes[2]);
-    if (!(job->camera.fovy > 0)) {             /* from the near plane on: a distant eye would round the ray's origin */
+    if (!(job->camera.fovy > 0)) {             /* from the near plane on: floats would round a distant eye */
         kit_camera_point(&job->camera, x, y, (double)job->camera.znear, origin);
         if (!ssgi_trace_closest(&hit, &job->ambient.trace, origin, direction, 0,
                                 job->camera.zfar - job->camera.znear))

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* In addition to the library's methods: single settings of theirs. */
+/* Chains with settings that differ from the library's methods, so that each kind of step is among them. */
 static const char *const variations[] = {
     "hsao-fast,history=1", "hsao-best,history=1", "hsao-fast,thickness=SLABS", "hsao-history,thickness=SLABS",
     "hsao,thickness=SLABS", "hsao-best,thickness=SLABS", "hsao,thickness=BACK", "hsao,depth=LINEAR",

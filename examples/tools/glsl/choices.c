@@ -1,4 +1,4 @@
-/* choices.c - the passes, and the values of fields that change their shaders. Declared in choices.h. */
+/* choices.c - the descs of every pass, with the values of fields that change their shaders. Declared in choices.h. */
 #include "tools/glsl/choices.h"
 #include <ctype.h>
 #include <stdio.h>
@@ -48,7 +48,7 @@ int choice_at(choice *c, int i)
     return 0;
 }
 
-/* Sections of PASSES.md in addition to the plain section of each pass. */
+/* A table of sections of PASSES.md, in addition to each pass's plain section, by heading: the desc. */
 typedef struct section { const char *which; ssgi_gl_desc desc; } section;
 static const section sections[] = {
     { "march", { .pass = SSGI_GL_PASS_HSAO, .gather.search = SSGI_GL_SEARCH_MARCH } },

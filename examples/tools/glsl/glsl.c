@@ -55,7 +55,7 @@ static int write_file(const char *path, char *text, size_t n)
     return bad ? -1 : 0;
 }
 
-/* The shader of a stage, or for SSGI_GL_STAGES its functions only; the caller frees it. NULL: there is none. */
+/* Returns the shader of a stage, or for SSGI_GL_STAGES its functions only; the caller frees it. NULL: there is none. */
 static char *text_of(const ssgi_gl_desc *d, int kind, size_t *n)
 {
     char *text = NULL;
@@ -107,7 +107,7 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
 
 /* ---- >>chains ---------------------------------------------------------------------------------------------------- */
 
-/* Writes a chain's shaders in a dialect. 0: written, or the dialect lacks a feature of the chain (*err names it). */
+/* Writes a chain's shaders in a dialect. Returns 0 also if the dialect lacks a feature of the chain (*err names it). */
 static int write_chain(const char *folder, const char *name, const char *about, const ssgi_gl_chain *chain, int dialect,
                        kit_error *err)
 {
@@ -170,7 +170,7 @@ static int translate(const char *folder, const char *const *targets, int count, 
 
 /* ---- >>passes: as Markdown --------------------------------------------------------------------------------------- */
 
-/* An item of a list; it is collected and then printed in lines of at most 120 columns. */
+/* One entry of a list, which is collected and then printed in lines of at most 120 columns. */
 static struct { char text[8192]; size_t length; } item;
 
 static void __attribute__((format(printf, 1, 2))) add(const char *format, ...)
@@ -191,14 +191,14 @@ static void print_item(void)
     item.length = 0;
 }
 
-/* Adds a word and the content of the first [tag: ..] of a comment. */
+/* Adds a word and the content of the first [tag: ..] of a field's comment. */
 static void add_tag(const char *word, const char *comment, const char *end, const char *tag)
 {
     const char *at = strstr(comment, tag);
     if (at && at < end) add("%s %.*s", word, (int)strcspn(at + strlen(tag), "]"), at + strlen(tag));
 }
 
-/* Finds the header's comment on a field: where it begins and, in *end, where it ends; NULL: it has none. A field is
+/* Finds the header's comment on a field: returns its beginning, and its end in *end; NULL: it has none. A field is
    "gather.samples" or "shader.version", or "gather" for the group itself. */
 static const char *comment_of(const char *header, const char *field, const char **end)
 {
@@ -249,7 +249,7 @@ static void add_field(const char *header, const char *field, const ssgi_gl_choic
     print_item();
 }
 
-/* The fields of ssgi_gl_desc by their groups: name, values, default, and the header's comment. */
+/* Prints the fields of ssgi_gl_desc by their groups: name, values, default, and the header's comment. */
 static int print_fields(const char *path, kit_error *err)
 {
     const ssgi_gl_choice *c;
@@ -280,7 +280,7 @@ static int print_fields(const char *path, kit_error *err)
     return 0;
 }
 
-/* The inputs and outputs of each pass. */
+/* Prints the inputs and outputs of each pass. */
 static void print_passes(void)
 {
     static const char *const words[3] = { "reads", "per frame", "writes" };
@@ -393,7 +393,7 @@ static int write_all(const char *folder, int alone, kit_error *err)
                 }
     for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
         if ((alone < 0 || alone == dialect) && write_named_chains(folder, dialect, err)) return -1;
-    for (int bands = 0; bands <= 4; ++bands) {      /* 0: the functions for reflections */
+    for (int bands = 0; bands <= 4; ++bands) {      /* 0 bands: the functions for reflections */
         const size_t n = bands ? ssgi_gl_sh(NULL, 0, bands) : ssgi_gl_reflection(NULL, 0);
         char *text = malloc(n + 1), path[1024];
         if (text && bands) ssgi_gl_sh(text, n + 1, bands);
@@ -422,7 +422,7 @@ static const char usage[] =
     "       glsl-text --types            the TypeScript types of fields\n"
     "       glsl-text --help | --version\n";
 
-/* Runs the command line. 0: done, 1: it is wrong, -1: failed. */
+/* Runs the command line. Returns 0: done, 1: the command line is wrong, -1: failed. */
 static int run(int argc, char **argv, kit_error *err)
 {
     if (has_chain(argc, argv)) return do_chains(argc, argv, err);

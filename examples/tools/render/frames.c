@@ -1,9 +1,9 @@
-/* frames.c - --sequence and --frames: one picture for each frame. */
+/* frames.c - --sequence and --frames: draws an image of each frame. */
 #include "render.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* A line of a sequence: a frame, and its camera's place unless the frame has it. */
+/* A line of a sequence's file: the path of a frame, and the camera unless the frame has one. */
 typedef struct line {
     const char *frame;
     double camera[6], up[3];
@@ -19,7 +19,7 @@ static void sequence_free(sequence *s)
     memset(s, 0, sizeof *s);
 }
 
-/* Parses a line; 0: it is blank, -1: it is wrong. */
+/* Parses a line of the sequence. Returns 0: it is blank, -1: it is wrong. */
 static int parse_line(line *l, char *text)
 {
     double v[9] = { 0 };
@@ -40,7 +40,7 @@ static int parse_line(line *l, char *text)
     return 1;
 }
 
-/* Lines end in CR, LF or both. They are numbered from 1, blank lines too, as in an editor. */
+/* Reads a sequence's file. Lines end in CR, LF or both. They are numbered from 1, blank lines too, as in an editor. */
 static int sequence_read(sequence *s, const char *path, kit_error *err)
 {
     size_t size;
@@ -66,7 +66,7 @@ static int sequence_read(sequence *s, const char *path, kit_error *err)
     return s->lines ? 0 : kit_fail(err, "--sequence %s: names no frame", path);
 }
 
-/* Opens the G-buffer of a line. */
+/* Opens the G-buffer of the frame that a line of the sequence names. */
 static int open_line(kit_gbuffer *g, job *j, const line *l, kit_error *err)
 {
     const options *o = &j->o;
@@ -81,8 +81,8 @@ static int open_line(kit_gbuffer *g, job *j, const line *l, kit_error *err)
     return kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text);
 }
 
-/* A property in which a frame differs from the first frame and on which a method may depend; NULL: none. Motion may
-   differ, because a first frame has none. */
+/* Returns the name of a property in which a frame differs from the first frame and on which a method may depend; NULL:
+   none. Motion may differ, because a first frame has none. */
 static const char *unlike(const kit_gbuffer *g, const kit_gbuffer *first)
 {
     return g->width != first->width || g->height != first->height ? "size"

@@ -1,11 +1,11 @@
-/* options.c - the command line: its options, those that exclude each other; --help, --list. */
+/* options.c - parses the command line, checks which options exclude each other, prints --help and --list. */
 #include "render.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* In parts, because C99 only guarantees strings of 4095 characters. */
+/* in parts, because C99 only guarantees strings of 4095 characters */
 static const char *const usage[] = {
     "usage: render MODEL | NAME | random:SEED | --gbuffer FRAME.exr  [options]\n"
     "  render model.glb --out ao.png\n"
@@ -168,7 +168,7 @@ int render_plans_light(const options *o)
     return o->planned - 1 == SSGI_PLAN_WANTED_LIGHT || o->planned - 1 == SSGI_PLAN_WANTED_BOUNCE;
 }
 
-/* The number of digits only with which a text begins; 0: there is none, or it is above most. */
+/* Returns the number of digits with which a text begins, and moves *at past them; 0: none, or it is above most. */
 static int digits(const char **at, int most)
 {
     int v = 0;
@@ -205,12 +205,12 @@ static int take_radius(options *o, const char *name, const char *text, kit_error
     return 0;
 }
 
-/* An option: the function that takes its value, or the member that gets it. FLAG: no value; NUMBERS: `least` numbers;
-   LIST: appended to at most `most`, with member `said` as their count; for other kinds `said`, unless 0, becomes 1. */
+/* An option: the function that takes its value, or the member of options that gets it. FLAG: no value; NUMBERS: `least`
+   of them; LIST: appended to at most `most`, with member `said` as count; else `said`, unless 0, becomes 1. */
 typedef struct option {
     const char *name;
     enum { TAKEN, FLAG, TEXT, WHOLE, NUMBER, NUMBERS, LIST } kind;
-    size_t      at;                        /* int, const char *, int, double, double[], const char *[] */
+    size_t      at;                  /* offset of an int, const char *, int, double, double[], const char *[] by kind */
     double      least, most;
     size_t      said;
     int       (*take)(options *o, const char *name, const char *text, kit_error *err);
@@ -385,7 +385,7 @@ int render_parse(options *o, int argc, char **argv, kit_error *err)
 
 /* ---- >>list ------------------------------------------------------------------------------------------------------ */
 
-/* The words that a setting takes, with the default in brackets. */
+/* Writes the words that a setting takes, with the default in brackets. */
 static void list_words(char *out, size_t size, const kit_setting *s)
 {
     size_t used = 0;

@@ -1,5 +1,4 @@
-/* render.c - renders one picture of a scene, or of a captured frame, with one method; its ground truth; scores and
-   times.
+/* render.c - renders an image of a scene, or of a captured frame, with one method; its ground truth; scores and times.
 
       build/render model.glb --method hsao --radius 0.5 --out ao.exr
       build/render room --truth 256 --out truth.exr
@@ -38,7 +37,7 @@ static void camera_of(kit_camera *c, const options *o, const double origin[3])
     if (o->ortho_height > 0) { c->fovy = 0; c->ortho_height = (float)o->ortho_height; }
     if (o->znear > 0) c->znear = (float)o->znear;
     if (o->zfar > 0) c->zfar = (float)o->zfar;
-    if (o->has_near && !(o->znear > 0)) {      /* depths must be positive: the eye moves back, the picture stays */
+    if (o->has_near && !(o->znear > 0)) {      /* depths must be positive: the eye moves back, the image stays */
         const double before = 1e-3 * fmax(o->zfar - o->znear, (double)c->ortho_height), by = before - o->znear;
         float view[16], projection[16];
         kit_camera_matrices(c, view, projection);
@@ -86,7 +85,7 @@ int render_open_settings(job *j, kit_error *err)
     return kit_gl_open(o->context, err);
 }
 
-/* Converts places that the user gives from his coordinates to the scene's. */
+/* Converts points that the user gives from his coordinates to the scene's. */
 static int settle_origin(job *j, const double origin[3], kit_error *err)
 {
     memcpy(j->origin, origin, sizeof j->origin);
@@ -140,7 +139,7 @@ static int ask_header(kit_camera *camera, job *j, int *placed, const options *o,
     return 0;
 }
 
-/* Narrows the camera: the user's angle is that of the whole picture, and a frame may be a part of it. */
+/* Narrows the camera's angle: the user's angle is that of the whole image, and a frame may be a part of it. */
 static int narrow(kit_camera *camera, const options *o, kit_error *err)
 {
     kit_header header = { .orthographic = !(camera->fovy > 0), .height = camera->ortho_height };
@@ -202,7 +201,7 @@ int render_open_frame(kit_gbuffer *g, job *j, const options *o, kit_error *err)
                     o->gbuffer, o->method);
 }
 
-/* Guesses the radius from the distances of the mesh's tops. */
+/* Guesses the radius from the distances between local maxima of the mesh's height. */
 static int guess_radius(double *radius, const kit_scene *scene, int quiet, kit_error *err)
 {
     static const float up[3] = { 0, 1, 0 };
@@ -263,7 +262,7 @@ int render_open_scene(job *j, kit_error *err)
     return j->o.env || j->o.lights || !lit ? 0 : kit_light_scene(&j->lighting, &j->scene, err);
 }
 
-/* Replaces --method by the planned method; a plan of no method is a picture already. */
+/* Replaces --method by the planned method; if the plan is for no method, it makes the image itself. */
 static int plan_it(job *j, kit_error *err)
 {
     const options *o = &j->o;
@@ -295,7 +294,7 @@ static int trace(job *j, kit_error *err)
     return kit_floor_ao(&j->r.picture, &j->r.frame, camera, radius, kit_method_attenuation(m), j->o.floor, 1, err);
 }
 
-/* Median times of each pass over frames of a view at rest; with history, only of frames that have one. */
+/* Prints median times of each pass over frames of a still view; with history, only of frames after another. */
 static int time_passes(job *j, kit_error *err)
 {
     const int frames = j->o.time;
@@ -369,7 +368,7 @@ int render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int lit
                                               : kit_png_write(picture, rgb ? "R,G,B" : "Y", rgb, path, err);
 }
 
-/* Saves the G-buffer with its camera and radius, and with the layers and slabs that the settings of a method added. */
+/* Saves the G-buffer with its camera and radius, and with the depth layers and slabs that the settings added. */
 static int save_frame(job *j, kit_error *err)
 {
     kit_header header = { .has = KIT_HEADER_RADIUS, .radius = (float)j->radius };
@@ -417,7 +416,7 @@ static int do_job(job *j, kit_error *err)
     if (o->truth || o->floor) {
         if (trace(j, err)) return -1;
     } else if (!r->picture.data && (o->out || o->score || o->time) && draw(j, err)) return -1;
-    const int dims = r->lit && r->picture.channels == 1;       /* a plan may compute light from ambient visibility */
+    const int dims = r->lit && r->picture.channels == 1;       /* a plan may dim light by ambient visibility */
     if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
     if (o->score && render_score(r, o->score, &j->gbuffer.camera, j->radius, err)) return -1;
     if (o->save && save_frame(j, err)) return -1;

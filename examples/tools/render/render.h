@@ -9,9 +9,9 @@
 enum { RENDER_SETS = 32 };
 
 typedef struct options {
-    /* the input: a scene, a frame, or a list of frames */
+    /* the input: a scene, a frame, or a list of frames; its light */
     const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
-    const char *layer, *channel[RENDER_SETS];          /* for another program's frame */
+    const char *layer, *channel[RENDER_SETS];          /* names in another program's frame */
     int         channels, lights, ground, flat, frames, still, width, height;
     double      turn, strength;            /* of env */
     double      orbit;                     /* degrees for each frame */
@@ -21,12 +21,12 @@ typedef struct options {
     double      fovy, ortho_height, znear, zfar;       /* 0: not given */
     /* how */
     const char *method, *set[RENDER_SETS], *context;
-    int         sets, truth, floor;        /* rays; 0: not asked for */
-    double      radius;                    /* 0: the scene's own, or a guess */
-    int         guess;                     /* 1: guessed from the local maxima of the mesh's y */
+    int         sets, truth, floor;        /* sets: number of --set; truth, floor: rays a pixel, 0: not asked for */
+    double      radius;                    /* in world units; 0: the scene's own, or a guess */
+    int         guess;                     /* 1: the radius is guessed from the local maxima of the mesh's y */
     int         planned;                   /* SSGI_PLAN_WANTED_.. plus 1; 0: not asked for */
     double      plan[2];                   /* error, budget */
-    int         plan_in_ms;                /* the budget is milliseconds of an RX 6800 */
+    int         plan_in_ms;                /* 1: the budget is in modelled milliseconds of an RX 6800 */
     /* the output */
     const char *out, *score, *save, *listed;
     int         time, json, list, help, version, colours, backdrop;
@@ -35,17 +35,17 @@ typedef struct options {
 /* Prints all options. */
 void render_usage(FILE *to);
 int  render_parse(options *o, int argc, char **argv, kit_error *err);
-/* Prints all methods and scenes, a line each; or the settings of one method. */
+/* Prints all methods and scenes, a line each; or the settings of the method of that name. */
 int  render_list(const char *name, kit_error *err);
 int  render_numbers(const char *name, const char *text, double *out, int count, kit_error *err);
-/* Whether the plan is for light, which the planned method may compute from ambient visibility. */
+/* Returns whether the plan is for light, which the planned method may compute from ambient visibility. */
 int  render_plans_light(const options *o);
-/* Replaces the one %d, or %04d, of a path by a number; 0 if it has none, or the result does not fit. */
+/* Replaces the one %d, or %04d, of a path by a number. Returns 0 if it has none, or the result does not fit. */
 int  render_numbered(char *out, size_t size, const char *path, int k);
 
 /* ---- >>report */
 
-/* The picture, its foreground mask, and the measured figures: of ambient visibility; or of radiance, irradiance and
+/* The image, the frame with its foreground, and the scores: of ambient visibility; or of radiance, irradiance and
    bounce, each with its three channels together. */
 enum { GROUPS = 3 };
 
@@ -57,7 +57,7 @@ typedef struct result {
     int              frames, lit;
     kit_score        score[GROUPS];
     kit_score_place  place[GROUPS][KIT_PLACES];
-    double           nothing[GROUPS];          /* lit: mean of the reference */
+    double           nothing[GROUPS];          /* error of no occlusion; if lit, mean of the ground truth */
 } result;
 
 int  render_score(result *r, const char *path, const kit_camera *camera, double radius, kit_error *err);
@@ -76,8 +76,8 @@ typedef struct job {
     kit_world    world;
     ssgi_plan    plan;
     double       radius;
-    double       origin[3];                /* the user's coordinates of the scene's, or frame's, point 0 */
-    int          framed;                   /* 1: the first frame has set it */
+    double       origin[3];                /* the point of the user's coordinates that is 0 in the scene or frame */
+    int          framed;                   /* 1: the first frame has set origin */
     int          noted;                    /* 1: a note said that a frame's normals fit another lens */
     result       r;
 } job;

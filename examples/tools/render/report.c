@@ -17,7 +17,7 @@ int render_score(result *r, const char *path, const kit_camera *camera, double r
     int status = 0;
     const float *mask = kit_image_channel(&r->frame, "Z");
     if (kit_exr_read(&reference, path, err)) return -1;
-    /* Other programs write grey as three equal channels R, G and B. */
+    /* a reference may have grey as three equal channels R, G and B */
     for (int c = 0; c < reference.channels && !r->lit && !kit_image_channel(&reference, "Y"); ++c)
         if (!strcmp(reference.name[c], "R")) snprintf(reference.name[c], sizeof reference.name[c], "Y");
     for (int i = r->lit; i < (r->lit ? 10 : 1); ++i)
@@ -48,12 +48,12 @@ int render_score(result *r, const char *path, const kit_camera *camera, double r
     return status;
 }
 
-/* The time in which back faces were drawn for a run, milliseconds. */
+/* Returns the milliseconds in which back faces were drawn for a run. */
 static double slabs_ms(const kit_run *run) { return run->gbuffer->slab_ms[0] + run->gbuffer->slab_ms[1]; }
 
 /* ---- >>JSON ------------------------------------------------------------------------------------------------------ */
 
-/* Members of an object: the first has before = "". */
+/* Prints a member of a JSON object; before is ", ", or "" for the first member. */
 static void json_text(const char *before, const char *key, const char *value)
 {
     printf("%s\"%s\": ", before, key);
@@ -106,13 +106,13 @@ static void json_times(const result *r)
     if (slabs_ms(r->run) > 0) json_value(", ", "slabs_ms", slabs_ms(r->run), 4);
 }
 
-/* A group's error over that of no AO; for light, its error over the mean. */
+/* Returns a group's error over that of no occlusion; for light, its error over the mean of the ground truth. */
 static double share_of(const result *r, int g)
 {
     return r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0;
 }
 
-/* The score of a group, then of its edges, border and interior. */
+/* Prints the score of a group, then those of its edges, border and interior. */
 static void json_score(const result *r, int g)
 {
     const kit_score *s = &r->score[g];
@@ -135,7 +135,7 @@ static void json_score(const result *r, int g)
     printf("}");
 }
 
-/* what: the method, or the option that replaced it */
+/* Prints the whole result as JSON. what: the method, or the option that replaced it. */
 static void report_json(const options *o, const kit_method *m, const char *what, const result *r, double radius)
 {
     json_text("{", "source", o->gbuffer ? o->gbuffer : o->scene);

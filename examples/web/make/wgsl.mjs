@@ -1,8 +1,8 @@
-/* wgsl.mjs - make web: every text that the page's settings can ask for, translated to WGSL.
+/* wgsl.mjs - make web: translates every shader that the page's settings can need to WGSL.
 
-      node wgsl.mjs SSGI.wasm SSGI.mjs FOLDER TO      FOLDER: for the work; TO: a folder, gets KEY.wgsl, by keyOf the
+      node wgsl.mjs SSGI.wasm SSGI.mjs FOLDER TO      FOLDER: for the GLSL; TO: a folder, gets KEY.wgsl, by keyOf the
                                                       GLSL that it comes from, and list.json of these keys: none of
-                                                      them where there is no translator */
+                                                      them if there is no translator */
 import { spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -19,7 +19,7 @@ const [wasm, loader, folder, to] = process.argv.slice(2);
 const { load } = await import(pathToFileURL(resolve(loader)).href), ssgi = await load(readFileSync(wasm));
 const translate = join(dirname(fileURLToPath(import.meta.url)), '../../tools/glsl/translate.sh');
 
-/* What changes texts, each with all of its values. */
+/* The settings that change shaders, each with all of its values. */
 const every = {
     name: Object.keys(methods).filter(name => methods[name].method && !methods[name].module),
     preset: Object.keys(presets),
@@ -27,7 +27,7 @@ const every = {
     filter: [-1, 0, 1, 2, 3, 4],
     history: [false, true], moves: [false, true], bounce: [false, true], sun: [false, true], precise: [0, 1]
 };
-/* The sun's own pass, and what it changes of those about it, which are of the others' defaults. */
+/* The settings that change shaders of pass LIGHTS and of the passes about it; all others have their defaults. */
 const ofLights = {
     name: every.name.filter(name => methods[name].light), preset: ['BALANCED'], shadow: Object.keys(shadows),
     normals: every.normals, history: every.history, bounce: every.bounce, precise: every.precise
@@ -38,7 +38,7 @@ function* products([[name, values], ...rest]) {
         for (const others of products(rest.length ? rest : [[]])) yield { [name]: value, ...others };
 }
 
-/* Texts of a part of all choices. */
+/* The shaders of this worker's share of all choices. */
 const texts = new Map(), seen = new Set(), block = 2048;
 const choices = isMainThread ? [] : [...products(Object.entries(every)), ...products(Object.entries(ofLights))]
     .filter((_, i) => Math.floor(i / block) % workerData.parts === workerData.part);
@@ -48,7 +48,7 @@ for (const { name, preset, precise, ...choice } of choices) {
     if (seen.has(whole)) continue;
     seen.add(whole);
     for (const { desc } of ssgi.steps(chain)) {
-        const said = JSON.stringify(desc);              /* its key alone takes as long as all else */
+        const said = JSON.stringify(desc);          /* compared before the key, which takes as long as all other work */
         if (seen.has(said)) continue;
         seen.add(said);
         const key = `${desc.pass} ${ssgi.key(desc)}`;
@@ -73,7 +73,7 @@ async function translated() {
         Array.from({ length: parts }, (_, part) =>
             once(new Worker(new URL(import.meta.url), { argv, workerData: { part, parts } }), 'message')));
     for (const [some] of all) for (const [at, is] of some) add(at, is);
-    for (const name of ['picture', 'smooth', 'motion']) {           /* the page's own, as webgpu-show.mjs draws them */
+    for (const name of ['picture', 'smooth', 'motion']) {    /* the page's own shaders, as webgpu-show.mjs draws them */
         const text = textOf(name, 'VULKAN');
         add(keyOf(text), { text, stage: 'frag' });
     }

@@ -1,4 +1,4 @@
-/* foliage.c - rows: gardens, woods, meadows. The columns are explained in kit_seed.h. */
+/* foliage.c - a table of rows: gardens, woods, meadows. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */

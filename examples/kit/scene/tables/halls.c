@@ -1,8 +1,8 @@
-/* halls.c - rows: halls of columns, arches, galleries, beams. The columns are explained in kit_seed.h. */
+/* halls.c - a table of rows: halls of columns, arches, galleries, beams. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */
-/* W: half of the nave; A: a side aisle's width; H: its height; L: half of its length; bay: between columns */
+/* W: half of the nave's width; A: a side aisle's width; H: height; L: half of the length; bay: between columns */
 const kit_row kit_rows_halls[] = {
 { "halls", THING, "",
   "W=2.2~4.5 A=1.6~3 H=4.5~9 L=7~14 bay=2~3.6 kind=0|0|1|1|2|3 r=.2~.42 cap=H*.5~H*.66 style=0|1|2", "", "" },
@@ -47,7 +47,7 @@ const kit_row kit_rows_halls[] = {
 { "cross", BOX, "4: 0 h*(i+.5)/4 0", "-w -.02 0 w .02 .05 0", "metal", "" },
 { "arch", PART, "0 h 0", "arch R=w d=.16", "", "" },
 
-/* A ring of stones over the opening, from one side to the other. */
+/* An arch: a ring of stones over an opening, from one side to the other. */
 { "arch", THING, "", "R=1 d=.4 n=13 deep=.22", "", "" },
 { "stone", BOX, "n: R*cos(180*t) R*sin(180*t) 0 0 0", "-.02 -.02 0 .02 .02 .01 0", "stone", "0" },
 { "wedge", PART, "n: 0 0 0", "wedge a=180*(i+.5)/n", "", "" },
@@ -71,7 +71,7 @@ const kit_row kit_rows_halls[] = {
 { "pier", BOX, "0 .18 0", "-r 0 -r r h-.4 r .05", "stone", "of=2" },
 { "capital", BOX, "0 h-.2 0", "-r*1.45 0 -r*1.45 r*1.45 .2 r*1.45 .03", "stone", "" },
 
-/* Arches over one row of columns, at z = -W. */
+/* Arches over one of the two rows of columns, at z = -W. */
 { "arcade", THING, "", "h=(bay-2*r)/2*.9", "", "" },
 { "arches", PART, "int(L*2/bay)-1: -L+bay*(i+1) .1 -W-.2", "arch R=bay/2-r d=.4 deep=.25", "", "1-(kind=1)" },
 { "lintel", BOX, "0 0 -W", "-L 0 -.25 L .5 .25 .02", "stone", "kind=1" },

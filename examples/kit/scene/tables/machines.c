@@ -1,4 +1,4 @@
-/* machines.c - rows: plant rooms, workshops, stores. The columns are explained in kit_seed.h. */
+/* machines.c - a table of rows: plant rooms, workshops, stores. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */

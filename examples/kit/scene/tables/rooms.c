@@ -1,8 +1,8 @@
-/* rooms.c - rows: furnished rooms. The columns are explained in kit_seed.h. */
+/* rooms.c - a table of rows: furnished rooms. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */
-/* W, D: half of the room; H: its height; use: living, sleeping, working, cooking, washing, a workshop */
+/* W, D: half of the room's width and depth; H: height; use: living, sleeping, working, cooking, washing, a workshop */
 const kit_row kit_rows_rooms[] = {
 { "rooms", THING, "", "W=1.6~3.3 D=1.5~2.7 H=2.3~3.2 use=0|0|1|1|2|2|3|3|4|5|5 messy=0~1", "", "" },
 { "stand", STAND, "", "-W+.25 -D+.25 W-.25 D-.25", "", "" },

@@ -1,4 +1,4 @@
-/* scans.c - rows: figures by scanners and sculptors, and their surroundings. The columns are explained in
+/* scans.c - a table of rows: figures by scanners and sculptors, and their surroundings. The columns are explained in
    kit_seed.h. */
 #include "kit/kit_seed.h"
 
@@ -51,7 +51,7 @@ const kit_row kit_rows_scans[] = {
 { "vase", PART, "0 0 0 0 0 1.5~2.4", "vase stems=0", "", "of=4" },
 { "knot", PART, "", "totem", "", "of=5" },
 
-/* balls, rings and eggs that intersect */
+/* a totem: balls, rings and eggs that intersect */
 { "totem", THING, "", "n=3~7 r=.14~.25", "", "" },
 { "blobs", ROCK, "n: -.06~.06 r+r*1.5*i*.7 -.06~.06 0~360 -30~30", "r*.8~r*1.3 r*.9 r*.8~r*1.3 .3~.7 18", "stone", "" },
 { "rings", RING, "0~3: 0 r+r*i 0 0~360 0~90", "0 0 0 r*1.2 r*.2", "stone", "" },

@@ -1,4 +1,4 @@
-/* shared.c - rows: things of several kinds of scenes. The columns are explained in kit_seed.h. */
+/* shared.c - a table of rows: things of several kinds of scenes. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */

@@ -1,4 +1,4 @@
-/* streets.c - rows: streets, squares, alleys, yards. The columns are explained in kit_seed.h. */
+/* streets.c - a table of rows: streets, squares, alleys, yards. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */

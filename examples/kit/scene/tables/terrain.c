@@ -1,4 +1,4 @@
-/* terrain.c - rows: rocky land and things on it. The columns are explained in kit_seed.h. */
+/* terrain.c - a table of rows: rocky land and things on it. The columns are explained in kit_seed.h. */
 #include "kit/kit_seed.h"
 
 /* clang-format off */
