@@ -6,7 +6,7 @@
 #include "lab/cost/passes.h"
 #include <stdio.h>
 
-/* MEAN_SURFELS: how many a scene has at 1920x1080; MEAN_SPLATS: texels of occlusion splats for each gathered texel. Means
+/* MEAN_SURFELS: how many a scene has at 1920x1080; MEAN_SPLATS: texels of occlusion splats for each gathered one. Means
    of seeds 0 to 20, where splats are 8 to 142 (build/render random:N --size 1920x1080 --method dss-best --set levels=4
    --time 1 prints both). Other effects are taken to have as many. */
 #define MEAN_SPLATS 55.0
