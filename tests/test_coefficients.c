@@ -312,9 +312,8 @@ static void leave_lobes(const kit_run *run, int pass, const kit_image *frame, in
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-/* Checks that the last frame's vectors tell how much light reaches a wall and the back of a room, and so how much they
-   send: all of it with open lobes, none with lobes of 0, and one may be open while the other is not. Normals along axes
-   are exact in 6 bits. */
+/* Checks that the last frame's vectors tell how much light reaches a wall and the back of a room, and so how much these
+   send: all of it with open lobes, none with lobes of 0, and one may be open alone. Normals along axes are exact. */
 static void emitters_are_dimmed(void)
 {
     static const double planes[2][4] = { { 1, 0, 0, -0.5 }, { 0, 0, 1, -4 } };

@@ -433,8 +433,7 @@ static void backwards(void *user, int count, void (*job)(void *context, int i), 
     while (count) job(context, --count);
 }
 
-/* Bakes a field into one of four places. The work memory is not aligned and ends right at its size. Uses threads unless
-   the desc has its own. */
+/* Bakes a field into one of four places. Work memory is not aligned and ends right at its size. Default: threads. */
 static uint32_t place[4][6 * 66 * 66 * 2 + 1];
 
 static ssgi_field baked(int at, const ssgi_field_desc *desc, const kit_mesh *m)

@@ -440,8 +440,8 @@ static void hostile_history(void)
     kit_scene_free(&scene);
 }
 
-/* Checks a frame's data on the last frame: size, jitter and field of view are followed; bad matrices and times are
-   refused by name. */
+/* Checks a frame's data on the last frame: it follows size, jitter and field of view; refuses bad matrices and
+   times. */
 static void last_frames(void)
 {
     /* footprint: the width of a pixel of the last frame in this frame's pixels, at least 1 */

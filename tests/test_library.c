@@ -184,7 +184,7 @@ static void names(void)
     for (int r = 0; r < ROWS; ++r)         /* the emitter names that row: see >>library */
         CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_layer"), "row %s: nothing can name it",
               ssgi_gl__rows[r].io.name);
-    for (int r = 0; r < ROWS; ++r) {       /* fetches at u_ssgi_origin get a layer, so they must be of your textures */
+    for (int r = 0; r < ROWS; ++r) {       /* at u_ssgi_origin fetches have a layer: textures of yours */
         char at[80];
         int fetched = 0;
         snprintf(at, sizeof at, "%s, p + u_ssgi_origin, 0", ssgi_gl__rows[r].io.name);

@@ -128,8 +128,7 @@ static void furnace(void)
     kit_image_free(&l.env);
 }
 
-/* Checks that in uniform light a white corner sends all that comes in if light bounces again and again; a single bounce
-   loses some. */
+/* Checks that a white corner in uniform light sends all that comes in by bounces without end; by one bounce less. */
 static void further_bounces(void)
 {
     static const char *const sets[2] = { "reuse=1,two_sided=1", "reuse=1,two_sided=1,bounced=1" };
@@ -414,8 +413,7 @@ static void planes_do_not_shadow_themselves(void)
     CHECK(!wrong && seen > 3 * W * H, "%d pixels of a bare plane, of %d, are in shadow or wrong", wrong, seen);
 }
 
-/* Returns the distance from each pixel's surface to the first occluder toward a sun; 0: no occluder, -1: no surface.
-   The caller frees it. */
+/* Returns the distance from each pixel's surface to a sun's first occluder; 0: none, -1: no surface. To be freed. */
 static float *blockers_new(const kit_scene *scene, const kit_light *sun)
 {
     const int width = scene->camera.width, height = scene->camera.height;

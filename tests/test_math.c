@@ -386,8 +386,7 @@ static void tiles(void)
     }
 }
 
-/* Returns the largest difference between a box' share of the points and its area, over the boxes at the origin that
-   points span. */
+/* Returns the largest difference between a box' share of the points and its area, for boxes at the origin. */
 static double discrepancy(double (*p)[2], int n)
 {
     double worst = 0;
@@ -470,8 +469,7 @@ static double legendre(int l, double c)
     return now;
 }
 
-/* Writes the direction of a pixel as in OpenEXR: latitude falls from pi/2, longitude from pi; +z central. Returns a
-   solid angle. */
+/* Writes a pixel's direction as in OpenEXR: latitude falls from pi/2, longitude from pi. Returns a solid angle. */
 static double equirect(float d[3], int i, int width, int height)
 {
     const double lat = PI * (0.5 - (i / width + 0.5) / height), lon = PI - 2 * PI * (i % width + 0.5) / width;
