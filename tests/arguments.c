@@ -45,11 +45,11 @@ static ssgi_trace trace;
 static ssgi_plan_scene scene;
 static uint32_t texels[432], words[9];
 
-/* Outputs: the first, and one half of the room behind it. */
+/* Room for outputs: the first output, and one half of the room behind it. */
 enum { ROOM = 20000 };
 static double written[ROOM], untouched[ROOM];
 
-/* Fills the arguments that the library itself makes. Returns 0 and a reason if it cannot. */
+/* Fills in the arguments that the library itself makes. Returns 0 and a reason if it cannot. */
 static int arguments_begin(const char **why)
 {
     static float work[1 << 17];
@@ -111,8 +111,8 @@ CALL(occluder, ssgi_gl_occluder_set(P(0), P(1), P(2), P(3), N(4), N(5), why))
 enum { NONE, COUNT_, SIZE_, NUMBER_, POINTER_, DIRECTION_, OPTIONAL_, RIGID_, MEMBER_ };
 
 typedef struct argument {
-    const char *name; /* a refusal begins with it */
-    int kind, floats; /* floats: how many of them must be finite */
+    const char *name; /* the name with which a refusal must begin */
+    int kind, floats; /* floats: how many of the argument's must be finite */
     void *at;
     double is, bad[2];
 } argument;
@@ -222,17 +222,17 @@ static const struct call {
 };
 enum { CALLS = sizeof calls / sizeof *calls, ARGUMENTS = sizeof calls->arguments / sizeof *calls->arguments };
 
-/* A bad value of one argument alone: at an element of the memory it points to, or -1: as the argument itself. */
+/* A table of bad values, each of one argument: at an element of its memory, or -1: as the argument itself. */
 static const struct odd {
     ssgi_result (*call)(const char **why);
     const char *name;
     int element;
     double value;
-} odd[] = { { view_of, "projection", 11, 0 },     { view_of, "projection", 3, 0.1 },    /* no w, w of x, y, both */
+} odd[] = { { view_of, "projection", 11, 0 },     { view_of, "projection", 3, 0.1 },    /* w is 0; w has x, y, both */
             { view_of, "projection", 7, 0.1 },    { view_of, "projection", 15, 1 },
             { view_of, "projection", 1, 0.1 },    { view_of, "projection", 4, 0.1 },    /* rolled */
             { view_of, "projection", 0, 0 },      { view_of, "projection", 5, 0 },      /* flat */
-            { view_of, "projection", 14, 0 },     { view_of, "projection", 14, 1e-42 }, /* no depth, or too little */
+            { view_of, "projection", 14, 0 },     { view_of, "projection", 14, 1e-42 }, /* z is 0, or too little */
             { view_of, "projection", 0, 1e-42 },  { extra, "radius", -1, 1e-37 },
             { extra, "radius", -1, 1e-44 },       { guess, "up", 1, 0 },
             { cube_sh, "size", -1, 1e6 },         { choose, "flux", 0, 0 },             /* a map without flux */
@@ -241,7 +241,7 @@ static const struct odd {
             { extra_view, "i", -1, 1e6 },         { occluder, "mesh_to_view", 0, 1.1 },
             { sent, "sky", 0, -1 } };
 
-/* NaNs and infinities, by their bits. */
+/* NaNs and infinities, as the bits of floats. */
 static const uint32_t not_finite[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
 enum { NOT_FINITE = sizeof not_finite / sizeof *not_finite };
 
@@ -256,7 +256,7 @@ static void arguments_right(const struct call *c)
     }
 }
 
-/* The call refuses its bad argument k, names it and writes nothing, with and without a pointer for the reason. */
+/* Checks that a call refuses its bad argument k, names it and writes nothing, with and without a pointer to why. */
 static void refuses(const struct call *c, int k, const char *how)
 {
     const char *const name = c->arguments[k].name;
@@ -274,7 +274,7 @@ static void refuses(const struct call *c, int k, const char *how)
     }
 }
 
-/* The same, with other bits in one float. */
+/* Checks the same with other bits in one float of the argument. */
 static void refuses_float(const struct call *c, int k, float *v, const void *bits, const char *how)
 {
     float was;
@@ -284,8 +284,8 @@ static void refuses_float(const struct call *c, int k, float *v, const void *bit
     memcpy(v, &was, sizeof was);
 }
 
-/* Refuses matrices that are scaled, sheared, singular or have another last row. It takes a rigid one with z negated,
-   and with rounded values. */
+/* Checks that a call refuses matrices that are scaled, sheared, singular or have another last row, and takes a rigid
+   one with z negated, and with rounded values. */
 static void refuses_matrices(const struct call *c, int k)
 {
     static const char *const how[] = { "scaled", "hardly scaled", "sheared", "singular", "of w 2", "of another row" };
@@ -307,7 +307,7 @@ static void refuses_matrices(const struct call *c, int k)
     memcpy(written, untouched, sizeof written);
 }
 
-/* Breaks one argument in each way that its kind has. */
+/* Breaks argument k in each way that its kind has, and checks that the call refuses it. */
 static void refuses_argument(const struct call *c, int k)
 {
     const argument *const a = &c->arguments[k];
@@ -336,7 +336,7 @@ static void refuses_argument(const struct call *c, int k)
     if (a->kind == RIGID_) refuses_matrices(c, k);
 }
 
-/* Breaks every argument of every call. Valid arguments are accepted. */
+/* Breaks every argument of every call, and checks that valid arguments are accepted. */
 void arguments_refused(void)
 {
     const char *why = "";

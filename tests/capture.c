@@ -46,18 +46,18 @@ typedef struct options {
 } options;
 
 static struct {
-    uint64_t hash[MOST_DATA]; /* of each piece of data */
+    uint64_t hash[MOST_DATA]; /* a hash of each piece of data written so far */
     int pieces;
-    char *line[MOST_TEXTURES]; /* entries of textures in capture.json */
+    char *line[MOST_TEXTURES]; /* lines of textures for capture.json */
     int textures;
-    GLuint made[MOST_TEXTURES]; /* textures that the steps write, by their numbers; both of a kept output */
+    GLuint made[MOST_TEXTURES]; /* textures that the steps write, by their numbers; two for a kept output */
     GLuint last[MOST_TEXTURES];
     int writes;
 } all;
 
 /* ---- writing ----------------------------------------------------------------------------------------------------- */
 
-/* Writes data once, and returns its number, or -1. */
+/* Writes data to a file once, and returns its number, or -1. */
 static int put_data(const options *o, const void *data, size_t size, kit_error *err)
 {
     const uint64_t hash = kit_hash(kit_hash(KIT_HASH, &size, sizeof size), data, size);
@@ -155,7 +155,7 @@ static int put_texts(const options *o, const ssgi_gl_desc *d, int number, const 
 
 /* ---- a run as a chain -------------------------------------------------------------------------------------------- */
 
-/* Whether an embedder would draw the pass. */
+/* Returns whether an embedder would draw the pass. */
 static int is_captured(const kit_pass *p) { return !p->aside && p->desc.pass != SSGI_GL_PASS_SURFELS; }
 
 static GLuint written(const kit_pass *p, int output)
@@ -183,7 +183,7 @@ static void number_textures(const kit_run *run)
         }
 }
 
-/* A pass's step in Vulkan's GLSL, with textures by these numbers. */
+/* Returns a pass's step in Vulkan's GLSL, with textures by these numbers. */
 static ssgi_gl_step step_of(const kit_pass *p)
 {
     ssgi_gl_step s = *p->step;
@@ -202,7 +202,7 @@ static ssgi_gl_step step_of(const kit_pass *p)
     return s;
 }
 
-/* pass: the one with the method's name */
+/* Writes the run as one chain of manifest.json. pass: the one that has the method's name */
 static int put_chain(const options *o, const kit_run *run, int pass, kit_error *err)
 {
     static ssgi_gl_step steps[KIT_MAX_PASSES];
@@ -268,7 +268,7 @@ static int put_surfels(FILE *f, const options *o, const kit_run *run, kit_error 
     return data < 0 ? -1 : 0;
 }
 
-/* Draws a frame and writes it. */
+/* Draws a frame and writes it to capture.json. */
 static int put_frame(FILE *f, const options *o, kit_run *run, int draws, kit_error *err)
 {
     const GLuint results[2] = { run->light, run->bounce };
@@ -289,7 +289,7 @@ static int put_frame(FILE *f, const options *o, kit_run *run, int draws, kit_err
     between = "";
     for (int k = 0; k < 2 && !failed; ++k) {
         const int texture = results[k] ? number_of(all.made, results[k]) : -1;
-        if (texture < 0) continue; /* no texture, or one to which a later pass adds */
+        if (texture < 0) continue; /* has no texture, or one to which a later pass adds */
         const int is = put_texture(o, results[k], GL_TEXTURE_2D, "result", err);
         failed = is < 0;
         fprintf(f, "%s{ \"texture\": %d, \"is\": %d }", between, texture, is);

@@ -72,7 +72,7 @@ await run('other pages are reached from it and lead back; one that is not there 
     for (const name of ['seeds', 'stability', 'papers'])
         check(await page.$(`nav a[href='#${name}']`) || text.includes(`make ${name}`), name);
     const there = of => page.waitForSelector(of, { timeout: 5000 });        /* the page follows the address later */
-    const click = of => page.locator(of).setTimeout(5000).click();          /* waits until the element stands still */
+    const click = of => page.locator(of).setTimeout(5000).click();          /* clicks once the element stands still */
     await click("nav a[href='#chart']");
     await click("a[href='#chart/another']");
     await there('#chart\\/another[open]').catch(() => 0);

@@ -100,7 +100,7 @@ int row_at(double c) { return SPAN + 16 - (int)(c * SPAN); }
 kit_camera corner_planes(double plane[2][4], double c, double behind)
 {
     kit_camera camera = looking_along_z(WIDE, HIGH, 1);
-    /* the view's y of the edge between floor and wall */
+    /* the edge between floor and wall: its y in view space */
     const double r = sqrt(0.5), pixel = r / SPAN, edge = (row_at(c) + 0.5 - 0.5 * HIGH) * pixel + c * r;
     const double n[2][4] = { { 0, r, r, r * (edge - 4) }, { 0, -r, r, r * (-edge - 4) - behind } };
     memcpy(plane, n, sizeof n);
@@ -113,7 +113,7 @@ double row_of(kit_run *run, kit_gbuffer *g, int row, int phases)
     double sum = 0;
     float line[COLUMNS];
     turn(run, g);
-    --run->passes;                                         /* the last pass is drawn in part, its inputs whole */
+    --run->passes;                                         /* draws the last pass in part, its inputs whole */
     kit_run_update(run);
     kit_run_draw(run, 0);
     ++run->passes;
@@ -136,7 +136,7 @@ int lighten(kit_lighting *l, const char *env, const char *light)
     if (light && !TRY(kit_light_parse(&l->light[l->lights++], light, NULL, &err))) return 0;
     if (!env) return 1;
     if (strcmp(env, "white")) return TRY(kit_env_read(&l->env, env, &err));
-    /* harmonics would notice the rows of a coarser map */
+    /* a map so fine that harmonics do not notice its rows */
     if (!TRY(kit_image_new(&l->env, 512, 256, "R,G,B", &err))) return 0;
     for (int i = 0; i < 3 * 512 * 256; ++i) l->env.data[i] = 1;
     return 1;
@@ -180,7 +180,7 @@ int open_run(kit_run *run, kit_gbuffer *g, const char *method, const char *set, 
                  "%s %s: %s", method, set, err.text);
 }
 
-/* 33 samples: Mesa unrolls loops of up to 32, and then takes long to compile them. */
+/* begin: 33 samples, as Mesa unrolls loops of up to 32, and then takes long to compile them. */
 int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
           const kit_lighting *lighting)
 {
@@ -218,7 +218,7 @@ double mean(const kit_image *image, const char *name)
 
 void open_vector(double v[16], const double n[3])
 {
-    /* zonal harmonics of max(0, cos) */
+    /* factors of zonal harmonics of max(0, cos) */
     static const double lobe[4] = { 0.886226925453, 1.02332670795, 0.4954159122, 0 };
     const float direction[3] = { (float)n[0], (float)n[1], (float)n[2] };
     float y[16];

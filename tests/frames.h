@@ -11,7 +11,7 @@
 #define SHOW(condition, ...) \
     t_is((condition) ? t_note(__VA_ARGS__), 1 : t_check(__FILE__, __LINE__, __VA_ARGS__))
 
-/* A random unit vector, evenly distributed over the sphere. */
+/* Sets d to a random unit vector, evenly distributed over the sphere. */
 static inline void direction(float d[3])
 {
     const float z = t_uniform(-1, 1), r = sqrtf(1 - z * z), a = t_uniform(0, 6.28318531f);
@@ -48,17 +48,17 @@ static inline float unpack_measured(unsigned *thickness, const uint32_t texel[4]
 }
 
 kit_camera looking_along_z(int width, int height, int orthographic);
-/* the view of a camera; flipped: upside down */
+/* makes the view of a camera; flipped: upside down */
 int        view_of(ssgi_view *view, const kit_camera *c, int flipped);
-/* The exact picture of the space that planes x * n = n[3] enclose, from within. Channels: Z, N.X, N.Y, N.Z and those of
-   more ("" or ",direct.R,..", which are 0). */
+/* Makes the exact picture of the space that planes x * n = n[3] enclose, from within. Channels: Z, N.X, N.Y, N.Z and
+   those of more ("" or ",direct.R,..", which are 0). */
 int        planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more);
-int        flat(const kit_image *frame, int x, int y);          /* only surface within 3 pixels */
-/* planes_seen, and a G-buffer of that frame */
+int        flat(const kit_image *frame, int x, int y);          /* whether 7x7 pixels show a surface */
+/* makes the picture of planes_seen, and a G-buffer of it */
 int        walls(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes,
                  const char *more);
 void       turn(kit_run *run, kit_gbuffer *g);                  /* sets another G-buffer of the same size */
-/* Gives a pass targets of another size, except layers of arrays. data: their contents, NULL = any. */
+/* Gives a pass targets of another size, except layers of arrays. data: what they contain, NULL = anything. */
 void       resize(kit_pass *p, int width, int height, const float *data);
 
 /* Floor and wall, seen orthographically from 45 degrees above. A radius of 1 is SPAN pixels down the floor and up the
@@ -67,18 +67,18 @@ void       resize(kit_pass *p, int width, int height, const float *data);
    row. */
 enum { SPAN = 128, MIDDLE = 182, COLUMNS = 64, WIDE = 2 * MIDDLE + COLUMNS, HIGH = SPAN + 16 + MIDDLE };
 int        row_at(double c);
-/* planes of floor and wall; the wall is moved away by behind */
+/* returns the camera, and the planes of floor and wall; the wall is moved away by behind */
 kit_camera corner_planes(double plane[2][4], double c, double behind);
-/* the mean over phases of the last pass's first channel, in the middle columns of a row */
+/* returns the mean over phases of noise of the last pass's first channel, in the middle columns of a row */
 double     row_of(kit_run *run, kit_gbuffer *g, int row, int phases);
-double     linear_corner(double c), hard_corner(double c);      /* occlusion at distance c, in radii */
+double     linear_corner(double c), hard_corner(double c);      /* return the occlusion at distance c, in radii */
 
-/* ---- scenes and light; all return whether it went well */
+/* ---- scenes and light; all functions return 1 if they succeed */
 
 typedef struct box { float lower[3], upper[3]; } box;
-/* env: "white", which is 1 everywhere, or a name for kit_env_read; light: words for kit_light_parse; NULL = none */
+/* makes light. env: "white", 1 everywhere, or a name for kit_env_read; light: for kit_light_parse; NULL = none */
 int        lighten(kit_lighting *l, const char *env, const char *light);
-/* A built-in scene with added boxes, and its G-buffer; camera NULL: the scene's own. */
+/* Makes a built-in scene with added boxes, and its G-buffer; camera NULL: the scene's own. */
 int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera,
         int width, int height);
 /* A built-in scene, its light and its G-buffer; camera NULL: the scene's own. */
@@ -89,21 +89,21 @@ void       strike(scenery *s);
 /* The corner, with a slab of this thickness as its wall, as layers: the slab's face, its back, and the face of an
    endless wall at gap behind it. */
 int        slab(kit_gbuffer *g, double c, double thickness, double gap, int layers);
-/* A run of a method at the kit's defaults, except for the settings of set. */
+/* Opens a run of a method at the kit's defaults, except for the settings in set. */
 int open_run(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
              const kit_lighting *lighting);
-/* begin: a method of light with 33 directions of one point, unfiltered, harmonics as published, except for set. drawn:
-   its picture. The third does both. */
+/* begin opens a method of light with 33 directions of one point, unfiltered, harmonics as published, except for set.
+   drawn reads its picture. The third does both. */
 int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
           const kit_lighting *lighting);
 int        drawn(kit_image *out, kit_run *run);
 int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
         const kit_lighting *lighting);
 double     mean(const kit_image *image, const char *channel);
-/* open_vector: 16 coefficients of the clamped cosine about a normal, which an open plane has. The other: the light [3*i
-   + c] of so many bands that such coefficients give, as irradiance over pi. */
+/* open_vector: writes 16 coefficients of the clamped cosine about a normal, which an open plane has. The other writes
+   the light [3*i + c] of so many bands that such coefficients give, as irradiance over pi. */
 void       open_vector(double v[16], const double n[3]);
 double     met(const double v[16], const float *light, int c, int bands);
-/* RMSE between the first channels */
+/* returns the RMSE between the first channels of two pictures */
 double     difference(const kit_image *a, const kit_image *b);
 #endif

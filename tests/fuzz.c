@@ -25,8 +25,8 @@ enum { FIELDS = (int)(sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]), CODE 
        FLAGS = (int)((sizeof(ssgi_gl_chain) - offsetof(ssgi_gl_chain, blur)) / sizeof(int)),
        CHAIN = 2 * FIELDS + FLAGS + 2 };    /* bytes of a chain */
 
-/* A step's input is one of the program's own textures, one that an earlier step wrote, or one of this frame's textures
-   as the last frame left it. No step reads a texture that it writes. */
+/* Checks that a step's input is one of the program's own textures, one that an earlier step wrote, or one of this
+   frame's textures as the last frame left it. No step reads a texture that it writes. */
 static void inputs(const ssgi_gl_step *step, int count, int i)
 {
     for (int k = 0; k < step[i].inputs; ++k) {
@@ -48,7 +48,7 @@ static void inputs(const ssgi_gl_step *step, int count, int i)
     }
 }
 
-/* Blur must restore exactly the light that the step which wrote its input has left out. */
+/* Checks that blur restores exactly the light that was left out by the step which wrote its input. */
 static void restored(const ssgi_gl_step *step, int i)
 {
     const ssgi_gl_desc blur = ssgi_gl_resolve(&step[i].desc);
@@ -83,8 +83,8 @@ static void fill(ssgi_gl_desc *d, const uint8_t *data)
     d->shader.fetch = " ";
 }
 
-/* A chain of two descs and flags. It is refused with a sentence, or every step can be drawn and there is one result:
-   ambient visibility or light, perhaps with a bounce, a bounce alone, or your picture. */
+/* Makes steps for a chain of two descs and flags. It is refused with a sentence, or every step can be drawn and there
+   is one result: ambient visibility or light, perhaps with a bounce, a bounce alone, or your picture. */
 static void chains(const uint8_t *data)
 {
     ssgi_gl_chain chain;
@@ -159,7 +159,7 @@ static void descs(const uint8_t *data, size_t size)
     if (sum % 8) return;
     size_t n = 0;
     int stage = (int)(sum / 8 % SSGI_GL_STAGES);
-    for (int tries = 0; tries < SSGI_GL_STAGES && !n; ++tries) {    /* not all passes have all stages */
+    for (int tries = 0; tries < SSGI_GL_STAGES && !n; ++tries) {    /* a pass may lack some of the stages */
         stage = (stage + 1) % SSGI_GL_STAGES;
         n = ssgi_gl_emit(text, sizeof text, &d, stage);
     }
@@ -177,12 +177,12 @@ static int all_finite(const float *f, size_t count)
     return !count;
 }
 
-/* Random floats as harmonics, lights and skies; sh is [3*i + c], and finite. */
+/* Takes random floats as harmonics, lights and skies; sh is [3*i + c], and finite. */
 static void harmonics(float *sh, int bands, const float *f, size_t count)
 {
     float out[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], turned[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS],
         window[SSGI_SH_MAX_BANDS];
-    const int any = (int)(count * 7 % 17) - 5;             /* also numbers that the library limits */
+    const int any = (int)(count * 7 % 17) - 5;             /* also numbers that the library must clamp */
     const char *why = NULL;
     ssgi_sh_basis(out, any, f);
     ssgi_sh_window(window, any, any);
@@ -197,7 +197,7 @@ static void harmonics(float *sh, int bands, const float *f, size_t count)
     MUST(all_finite(sh, (size_t)(3 * bands * bands)));
 }
 
-/* Pictures of random size as environments, and their pixels as a reflective shadow map. */
+/* Takes pictures of random size as environments, and their pixels as a reflective shadow map. */
 static void pictures(const float *f, size_t count)
 {
     const size_t pixels = count / 3, width = 1 + (size_t)fabsf(isfinite(f[0]) ? fmodf(f[0], 16) : 3) % pixels,
@@ -240,7 +240,7 @@ static void pictures(const float *f, size_t count)
     }
 }
 
-/* An extra camera of any matrix and bounds; extra and light cameras of any two matrices. */
+/* Makes an extra camera by any matrix and bounds; extra and light cameras by any two matrices. */
 static void cameras(const float *f, size_t count, const ssgi_view *view)
 {
     const float *last = f + count - 16, turn[16] = { 1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, f[12], f[13], f[14], 1 };
@@ -250,7 +250,7 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     ssgi_gl_light light;
     const char *why = NULL;
     ssgi_extra_displacement(displacement, (int)(count % 4));
-    for (int k = 0; k < 2; ++k) {                          /* 0: hardly ever rigid; 1: rigid */
+    for (int k = 0; k < 2; ++k) {                          /* 0: random matrices, hardly ever rigid; 1: rigid ones */
         if (ssgi_extra_camera(to, projection, k ? turn : f, f + 3, last[5], k && count % 2 ? displacement : last, &why)
             != SSGI_OK)
             MUST(strchr(why, ':'));
@@ -264,7 +264,7 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     else MUST(ssgi_gl_light_map(&light, view, 1, 2, f, last, NULL) == SSGI_OK && light.tile[1] == 2.0f);
 }
 
-/* Surfels of a few triangles, anywhere and moved in any way, and the predicted cost of splatting them. */
+/* Makes surfels of a few triangles, anywhere and moved in any way, and predicts the cost of splatting them. */
 static void surfels(const float *f, size_t count, const ssgi_view *view)
 {
     static const float still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
@@ -309,7 +309,7 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     if (ssgi_gl_surfels_set(&frame, view, &d, source.to_view, &why) != SSGI_OK) MUST(strchr(why, ':'));
 }
 
-/* Bakes of a few random triangles. The bake is saved, damaged (with a checksum that fits) and loaded. */
+/* Bakes fields of a few random triangles. Each is saved, damaged (with a checksum that fits) and loaded. */
 static void fields(const float *f, size_t count, const uint8_t *data, size_t size)
 {
     static uint32_t texels[6 * 4 * 4 * 2];
@@ -467,7 +467,7 @@ static uint8_t legal(size_t field, uint32_t *state)
     return (uint8_t)(next(state) % ((uint32_t)ssgi_gl__fields[field].choice.most + 1u));
 }
 
-/* A chain whose fields mostly have their default. */
+/* Makes the bytes of a chain whose fields mostly have their default. */
 static void random_chain(uint8_t bytes[CHAIN], uint32_t *state)
 {
     static const uint8_t passes[] = { SSGI_GL_PASS_SSAO,  SSGI_GL_PASS_HSAO, SSGI_GL_PASS_SSDO, SSGI_GL_PASS_SSDO,
@@ -498,7 +498,7 @@ int main(int argc, char **argv)
         for (k = 0; k < size; ++k)
             bytes[k] = k < FIELDS && i % 32 ? legal(k, &state) : (uint8_t)next(&state);
         if (i % 3 == 0) bytes[next(&state) % FIELDS] = (uint8_t)next(&state);
-        /* floats of a sensible size, and a projection */
+        /* bytes of floats of a sensible size, and of a projection */
         if (i % 64 == 0)
             for (k = 0; 4 * k + 4 <= size; ++k) {
                 float x = k < 16 && i % 128 == 0 ? plain[k] : ((float)next(&state) - 8e6f) * (i % 5 ? 1e-6f : 1e24f);

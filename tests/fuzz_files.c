@@ -47,13 +47,13 @@ static void keep(int hdr)
     sample[samples++].hdr = hdr;
 }
 
-/* Smooth in the left half, noise in the right: some chunks compress, and some do not. */
+/* Returns a texel: smooth in the left half, noise in the right, so that some chunks compress, and some do not. */
 static float texel(int i, int width)
 {
     return i % width < width / 2 ? (float)(i / width) / 8 : (float)random_below(1u << 24) / 65536;
 }
 
-/* orthographic: 0, 1; below 0: the header has no camera */
+/* Writes an EXR file by the kit. orthographic: 0, 1; below 0: the header has no camera */
 static void by_the_kit(int width, int height, const char *names, int orthographic)
 {
     const kit_header header = { .has = orthographic < 0 ? 0 : KIT_HEADER_ALL, .orthographic = orthographic, .height = 2,
@@ -77,7 +77,7 @@ static void by_others(int width, int height, int compression, int tile)
     keep(0);
 }
 
-/* Rows without a code, or each of the four components in runs of three. */
+/* Writes a Radiance file: rows without a code, or each of the four components in runs of three. */
 static void radiance(int width, int height, int coded)
 {
     static unsigned char bytes[ROOM];
@@ -116,7 +116,7 @@ static void make_samples(void)
 
 /* ---- damage -------------------------------------------------------------------------------------------------- */
 
-/* A place in a file. Half of them are in its first bytes, where the header is. */
+/* Returns a random place in a file. Half of them are in its first bytes, where the header is. */
 static size_t place(size_t size)
 {
     const size_t head = size < 600 ? size : 600;
@@ -155,7 +155,7 @@ static void too_long(int number)
     _exit(1);
 }
 
-/* A header's camera can be drawn with, or is refused with a sentence. */
+/* Checks that a header's camera can be drawn with, or is refused with a sentence. */
 static void read_header(const char *now)
 {
     kit_header header = { .has = -7 };
@@ -176,7 +176,7 @@ static void read_header(const char *now)
     if (header.has & KIT_HEADER_RADIUS && !(header.radius > 0)) stop(now, "a radius that is none");
 }
 
-/* Returns 1 if the picture was read. */
+/* Reads a picture, EXR or Radiance. Returns 1 if that succeeds. */
 static int read_one(int hdr)
 {
     kit_image image = { .width = -7 };

@@ -23,7 +23,7 @@ static double within(double low, double high) { return low + (high - low) * belo
 static float mesh[3 * MOST][3], vertex[300][3];
 static size_t corners;
 static double turn[3][3], size, start[3], stretch; /* the mesh's place */
-static int filled[CELLS][CELLS][CELLS], cells; /* cells: how many a side */
+static int filled[CELLS][CELLS][CELLS], cells; /* cells: of a solid, along each side */
 
 static void place(int kind)
 {
@@ -50,7 +50,7 @@ static void put(float out[3], const double p[3])
     for (int i = 0; i < 3; ++i) out[i] = (float)placed(i, p);
 }
 
-/* Two triangles of four vertices in a circle. Each vertex is placed once: -ffast-math may round it otherwise
+/* Adds two triangles of four vertices in a circle. Each vertex is placed once: -ffast-math may round it otherwise
    elsewhere. */
 static void quad(int a, int b, int c, int d)
 {
@@ -58,7 +58,7 @@ static void quad(int a, int b, int c, int d)
     for (int k = 0; k < 6; ++k) memcpy(mesh[corners++], vertex[take[k]], sizeof mesh[0]);
 }
 
-/* A ball, or a torus with radii 2 and 0.7. */
+/* Makes a ball, or a torus with radii 2 and 0.7. */
 static void round_mesh(int kind, int rows, int columns)
 {
     for (int i = 0; i < (rows + 1) * columns; ++i) {
@@ -85,7 +85,7 @@ static int is_filled(const int c[3])
     return filled[c[0]][c[1]][c[2]];
 }
 
-/* The faces between filled and empty cells. */
+/* Makes the faces between filled and empty cells of a solid. */
 static void solid(void)
 {
     enum { SIDE = CELLS + 1 };
@@ -105,7 +105,7 @@ static void solid(void)
     }
 }
 
-/* A ceiling of strips, each 64 or 6400 times as long as wide. */
+/* Makes a ceiling of strips, each 64 or 6400 times as long as wide. */
 static void strips(int count)
 {
     for (int i = 0; i < 2 * count + 2; ++i) {
@@ -115,8 +115,8 @@ static void strips(int count)
     for (int i = 0; i < 2 * count; i += 2) quad(i, i + 1, i + 3, i + 2);
 }
 
-/* Chooses a point in the mesh, and a target unless q stays below -1e8: for strips, on an edge right above; for a solid,
-   now and then, in the plane of faces that holds the point. Returns 0 if the point is outside after all. */
+/* Chooses an origin o in the mesh, and a target unless q stays below -1e8: for strips, on an edge right above; for a
+   solid, now and then, in the plane of faces that holds the origin. Returns 0 if the origin is outside after all. */
 static int from(float o[3], double q[3], int kind, int count)
 {
     const double angle = 0.78539816339744831 * below(8), away = pow(10, within(-3.5, -1)) / 32;

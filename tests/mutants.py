@@ -13,7 +13,7 @@ import os, random, re, shutil, subprocess, sys, threading, time
 
 LIST, COPIES = "tests/mutants.txt", "build/mutants"
 HEADERS = ("ssgi.h", "ssgi_gl.h")
-LIMIT = 240  # seconds; an edit that keeps a test from ending counts as noticed
+LIMIT = 240  # seconds for an edit; one that keeps a test from ending counts as noticed
 
 
 def groups_of_rooms():
@@ -73,13 +73,13 @@ def lines_of(header):
 
 
 def code_part(line):
-    """How many characters of a line are before its comment."""
+    """Returns how many characters of a line are before its comment."""
     ends = [line.index(mark) for mark in (" //", " /*") if mark in line]
     return min(ends) if ends else len(line)
 
 
 def unique(lines, whole, i):
-    """The line, with so many lines before it that the text occurs once. None: six lines do not suffice."""
+    """Returns a line, with so many lines before it that the text occurs once. None: six lines do not suffice."""
     for first in range(i, max(i - 6, -1), -1):
         text = "\n".join(lines[first:i + 1])
         if whole.count(text) == 1:
@@ -121,7 +121,7 @@ def draw(count, seed):
 
 
 def compiles(header, text):
-    """Whether the C compiles. The GLSL is left to the tests."""
+    """Returns whether the C of the headers compiles. The GLSL is left to the tests."""
     folder = COPIES + "/draw"
     os.makedirs(folder, exist_ok=True)
     for name in HEADERS:
@@ -167,7 +167,7 @@ def copy_tree(folder):
     os.makedirs(folder, exist_ok=True)
     files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], text=True,
                            stdout=subprocess.PIPE, check=True).stdout.split("\0")
-    for where, inside, names in os.walk(folder):       # not in the tree any more: the Makefile would compile them
+    for where, inside, names in os.walk(folder):       # gone from the tree: the Makefile would compile them
         inside[:] = [name for name in inside if os.path.join(where, name) != folder + "/build"]
         for name in names:
             if os.path.relpath(os.path.join(where, name), folder) not in files:

@@ -5,7 +5,7 @@
 
 BEGIN {
     split("a alone and are around as before between chain does draws ignore in is looks names of reads tell that turn " \
-          "use which with write writes", all, " ") # words behind "pass" that name no pass, and placeholders
+          "use which with write writes", all, " ") # words behind "pass" that name no pass
     for (i in all) words[all[i]] = 1
     split("SSGI_GL_KIND_WORD SSGI_NAME", all, " ")
     for (i in all) words[all[i]] = 1
@@ -50,7 +50,7 @@ FILENAME ~ /\.md$/ { check($0, FNR); next }
 
 function bad(name, line) { printf "%s:%d: %s\n", FILENAME, line, name; wrong = 1 }
 
-# Whether a path of members exists in one of several structs.
+# Returns whether a path of members exists in one of several structs.
 function leads(structs, path, n, all, steps, i, k, at, parts) {
     n = split(structs, all, " ")
     steps = split(path, parts, ".")

@@ -11,7 +11,7 @@ static int wrong;
 #define WRONG(...) (printf(__VA_ARGS__), puts(""), ++wrong)
 #include "arguments.c"
 
-/* Functions that return a float accept anything, and return a number in 0..SSGI_FAR. */
+/* Checks that functions that return a float accept anything, and return a number in 0..SSGI_FAR. */
 static void formulas(void)
 {
     const float good = 0.5f;
@@ -32,7 +32,7 @@ static void formulas(void)
         }
 }
 
-/* Plain formulas of surfels return the values that their comments name. */
+/* Checks that plain formulas of surfels return the values that their comments name. */
 static void surfel_formulas(void)
 {
     for (size_t k = 0; k < NOT_FINITE; ++k) {
@@ -59,7 +59,7 @@ static void expect(int good, const char *sentence)
     if (!good) WRONG("%s (\"%s\")", sentence, why);
 }
 
-/* A survey leaves out a pixel that is not finite in any one of its pictures. */
+/* Checks that a survey leaves out a pixel that is not finite in any one of its pictures. */
 static void surveyed(void)
 {
     static float picture[4][4] = { { 0.5f, 0.5f, 0.5f, 0.9f }, { 0.5f, 0.6f, 0.5f, 0.8f },
@@ -82,7 +82,7 @@ static void surveyed(void)
     expect(ssgi_gl__within(&s.occlusion, 4, SSGI_FAR), "a survey is larger than SSGI_FAR");
 }
 
-/* A vertex's colour counts as 0 in components that are not finite, and so does such a normal. The others stay. */
+/* Checks that colours count as 0 in components that are not finite, and so do such normals. The others stay. */
 static void coloured(void)
 {
     static float given[18] = { 0.5f, 0.25f, 1, 0.5f, 0.25f, 1, 0.5f, 0.25f, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1 };
@@ -108,7 +108,7 @@ static void coloured(void)
     source.colour = source.normal = NULL;
 }
 
-/* Rays that are not finite hit nothing, in both queries, and write nothing. */
+/* Checks that rays that are not finite hit nothing, in both queries, and write nothing. */
 static void rays(void)
 {
     for (size_t k = 0; k < NOT_FINITE; ++k)
@@ -124,7 +124,7 @@ static void rays(void)
         }
 }
 
-/* Finite input whose squares, inverses or products are not finite. */
+/* Tries finite input whose squares, inverses or products are not finite. */
 static void extremes(void)
 {
     static const float nothing[16] = { 1.2f, 0, 0, 0, 0, 1.6f, 0, 0, 0, 0, -1.002f, -1, 0, 0, 0.2002f, 0 };
@@ -179,7 +179,7 @@ static void extremes(void)
     }
 }
 
-/* Functions that return a size return 0 for a bad argument. */
+/* Checks that functions that return a size return 0 for a bad argument. */
 static void rooms(void)
 {
     for (size_t k = 0; k < NOT_FINITE; ++k) {

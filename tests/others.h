@@ -5,6 +5,6 @@
 #include <OpenEXR/ImfCRgbaFile.h>
 
 ImfRgba others_pixel(float r, float g, float b, float a);
-/* compression: IMF_.._COMPRESSION; tile: the side of a tile, 0 = rows */
+/* Writes a file. compression: IMF_.._COMPRESSION; tile: the side of a tile, 0 = rows */
 int others_write(const char *path, int width, int height, int compression, int tile, const ImfRgba *pixels);
 #endif

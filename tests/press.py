@@ -17,7 +17,7 @@ window = None
 
 
 def shown(below):
-    """Finds the visible window that has a name."""
+    """Returns the visible window that has a name."""
     if below.get_wm_name() and below.get_attributes().map_state == X.IsViewable:
         return below
     return next(filter(None, map(shown, below.query_tree().children)), None)

@@ -29,7 +29,7 @@ static inline int shell(char *text, size_t size, const char *format, const char 
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
 }
 
-static inline const char *in_folder(const char *name)      /* valid until the fourth next call */
+static inline const char *in_folder(const char *name)      /* the path is valid until the fourth next call */
 {
     static char path[4][1024];
     static int turn;
@@ -50,7 +50,7 @@ static inline char *read_text(const char *path)
     return kit_file_read(&data, &size, path, NULL) ? NULL : data;
 }
 
-/* Whether a program is here. If not, says that its tests are not tried. */
+/* Returns whether a program is installed. If not, says that its tests are not tried. */
 static inline int has(const char *program)
 {
     char text[400];

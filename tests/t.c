@@ -29,7 +29,7 @@ int t_all(void) { return getenv("T_ALL") != NULL; }
 int t_passed, t_failed;
 const char *t_root;
 
-enum { SHOWN = 5 };                        /* printed failures of a test; the others are only counted */
+enum { SHOWN = 5 };                        /* how many failures of a test are printed; others are only counted */
 static char   said[8192];
 static size_t length;
 static int    bad, running;

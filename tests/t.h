@@ -29,9 +29,9 @@ int  t_check(const char *file, int line, const char *format, ...);
 void t_note(const char *format, ...);
 /* runs a test, prints "ok" or "FAILED" and counts it; prints its processor time from 0.3 seconds on */
 void t_run(const char *sentence, void (*test)(void));
-/* seconds of processor: no test may depend on how fast or busy the machine is */
+/* returns seconds of processor: no test may depend on how fast or busy the machine is */
 double t_seconds(const struct rusage *spent);
-/* seconds of processor until now by this process, or by its children that have ended */
+/* returns the processor's seconds until now of this process, or of its children that have ended */
 double t_spent(int children);
 
 /* Random numbers, the same in every run [SplitMix64, by which successive numbers are independent]. Each group has its
@@ -41,11 +41,11 @@ uint32_t t_below(uint32_t n);                          /* 0 .. n - 1 */
 float    t_uniform(float lower, float upper);          /* [lower, upper) */
 double   t_within(double lower, double upper);         /* the same in double */
 
-/* Whether make test-all runs the group (T_ALL), with more texts, compilers and inputs. */
+/* Returns whether make test-all runs the group (T_ALL), with more shaders, compilers and inputs. */
 int      t_all(void);
 
 extern int t_passed, t_failed;
-extern const char *t_root;                 /* the repository's folder, which is the current one, too */
+extern const char *t_root;                 /* the repository's folder, in which tests run */
 
 /* The groups of tests: each test_NAME is in its own file, and main.c calls it. Long groups are first, so that a short
    one ends last. A program has the groups of the library or of the examples (Makefile); the others are NULL in it. */
@@ -56,7 +56,7 @@ extern const char *t_root;                 /* the repository's folder, which is 
 #define T_GROUP(name) __attribute__((weak)) void test_##name(void);
 T_GROUPS(T_GROUP)
 
-/* desc.shader.fetch with every function that a choice CUSTOM calls. */
+/* A desc.shader.fetch that has every function that a choice CUSTOM calls. */
 #define T_FETCH \
     "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return " \
     "vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \

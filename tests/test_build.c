@@ -7,12 +7,12 @@
 #define MSVC "--target=x86_64-pc-windows-msvc -ffreestanding -isystem \"$root/examples/tools/wasm/libc\""
 #define WARNINGS "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
 
-static double implementation_seconds;          /* gcc's processor time for both implementations at -O2 */
+static double implementation_seconds;          /* gcc's seconds of processor for both implementations at -O2 */
 
-/* Every compiler compiles the headers both ways by each standard, and links the address of every declared function. gcc
-   with T_ALL also optimises, as some warnings need that (variables that may be unset, overflow). The other compilers
-   make programs with T_ALL and otherwise only check syntax. The implementation follows a plain include, as in a host
-   whose headers include ssgi_gl.h. */
+/* Checks that every compiler compiles the headers both ways by each standard, and links the address of every declared
+   function. gcc with T_ALL also optimises, as some warnings need that (variables that may be unset, overflow). The
+   other compilers make programs with T_ALL and otherwise only check syntax. The implementation follows a plain include,
+   as in a host whose headers include ssgi_gl.h. */
 static void compilers(void)
 {
     static const struct {
@@ -63,7 +63,7 @@ static void compilers(void)
     CHECK(ran >= 2, "only %d compilers were there", ran);
 }
 
-/* ssgi_gl.h's code without ssgi.h's is refused in one line, unless the file says that another file has ssgi.h's. */
+/* Checks that ssgi_gl.h's code without ssgi.h's is refused in a line, unless the file says where ssgi.h's is. */
 static void alone(void)
 {
     char text[4000];
@@ -77,7 +77,7 @@ static void alone(void)
                  "%s%s", "", "") && !text[0], "with ssgi.h's code elsewhere: %s", text);
 }
 
-/* Comments name only things that exist. The test puts old names back, to see that they are found. */
+/* Checks that comments name only things that exist. Puts old names back, to see that they are found. */
 static void names(void)
 {
     static const char *const stale[][2] = {
@@ -106,7 +106,7 @@ static void hosts(void)
     static const struct {
         const char *compiler, *how;
     } modes[] = { { "gcc", "-std=c99 -include \"$root/tests/macros.h\"" },
-                  { "clang++", "-std=c++17 -xc++ " MSVC },           /* the next ones with T_ALL */
+                  { "clang++", "-std=c++17 -xc++ " MSVC },           /* the modes from here on are for T_ALL */
                   { "g++", "-std=c++11 -xc++ -include \"$root/tests/macros.h\"" },
                   { "x86_64-w64-mingw32-gcc", "-std=c99 -include windows.h" },
                   { "x86_64-w64-mingw32-g++", "-std=c++17 -xc++ -include windows.h" },
@@ -130,7 +130,7 @@ static void order_of_passes(void)
           "the order of passes: something compares passes by it: %s", text);
 }
 
-/* A field of a few triangles has the same bytes if programs of other optimisation bake it. */
+/* Checks that a field of a few triangles has the same bytes if programs of other optimisation bake it. */
 static void optimised(void)
 {
     static const char *const program =
@@ -163,7 +163,7 @@ static void optimised(void)
     CHECK(ran >= 2, "only %d compilers were there", ran);
 }
 
-/* gcc's processor time for both implementations; 0 if it fails. */
+/* Returns gcc's seconds of processor for both implementations; 0 if it fails. */
 static double compiled(const char *how)
 {
     char text[400];
@@ -171,8 +171,8 @@ static double compiled(const char *how)
     return shell(text, sizeof text, "gcc %s -c -I. implementation.c -o time.o%s", how, "") ? 0 : t_spent(1) - before;
 }
 
-/* The time to optimise the headers, beside the time to parse them and to compile plain code on the same machine. Takes
-   the least of a few tries, as the machine may be busy. */
+/* Compares the time to optimise the headers with the time to parse them and to compile plain code on the same machine.
+   Takes the least of a few tries, as the machine may be busy. */
 static void compile_time(void)
 {
     double best[2] = { 1e9, implementation_seconds > 0 ? implementation_seconds : 1e9 };
@@ -232,7 +232,7 @@ static void documentation(void)
                    "    return !(o > 0.05f && o < 0.3f); }\n" },
         { "plan", "\n    (void)view; return !(plan.meets && plan.method == SSGI_PLAN_METHOD_NOTHING); }\n" }
     };
-    /* the input of a plan: a plane of 3000 points without occlusion */
+    /* code before the snippets: the input of a plan, a plane of 3000 points without occlusion */
     static const char *const given =
         "    static float hsao[3000], best[3000], solid[3000], slabs[3000], position[9000], normal[9000], floor[9] = { "
         "0, "
@@ -240,7 +240,7 @@ static void documentation(void)
         "    static double memory[500]; ssgi_trace trace; ssgi_gl_desc desc; memset(&desc, 0, sizeof desc);\n"
         "    ssgi_trace_build(&trace, memory, sizeof memory, floor, 12, NULL, 1, NULL);\n"
         "    for (int i = 0; i < 3000; ++i) hsao[i] = best[i] = solid[i] = slabs[i] = normal[3 * i + 1] = 1;\n";
-    /* a GL that only counts calls */
+    /* code before the snippets: a GL that only counts calls */
     static const char *const gl =
         "#include \"ssgi_gl.h\"\n#ifndef GL_FRAMEBUFFER\ntypedef unsigned GLuint, GLenum; static int draws, bound;\n"
         "enum { GL_UNIFORM_BUFFER, GL_DYNAMIC_DRAW, GL_TEXTURE0 };\n#define GL_FRAMEBUFFER 0x8D40\n"
@@ -316,7 +316,8 @@ static void documentation(void)
                  t_root)
               && SSGI_VERSION == 500 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 5,
           "the headers' first lines and SSGI_VERSION disagree");
-    /* The tables of renames, read by the header's own script, leave no old name above them: they turn 0.3 into 0.4. */
+    /* Checks that the header's script, by the tables of renames, leaves no old name above them: it turns 0.3 into
+       0.4. */
     CHECK(!shell(
               text, sizeof text,
               "sed -n '/^      awk/,/>renames/p' ssgi.h >five && sed 's/0[.]4/0.3/; s/0[.]5/0.4/' five >four && "
@@ -374,7 +375,7 @@ static void not_numbers(void)
     programs("nan", modes, sizeof modes / sizeof *modes);
 }
 
-/* Compilers for ARM64 fuse multiply and add by default, others if they may use the processor's own instructions. */
+/* Compilers for ARM64 fuse multiply and add by default, others do if they may use the processor's own instructions. */
 static void closed_meshes(void)
 {
     static const program_mode modes[] = { { "gcc -O2 -march=native", "", "1000" },
@@ -440,7 +441,7 @@ void test_build(void)
     RUN("what surrounds the headers does not grow", surroundings);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     RUN("no ray leaves a closed mesh between its triangles, by whatever rules of arithmetic", closed_meshes);
-    if (t_all()) {                                 /* these compile the library many times */
+    if (t_all()) {                                 /* these tests compile the library many times */
         RUN("random inputs and chains neither crash nor trip a sanitizer", fuzz);
         RUN("a baked field has the same bytes at any optimisation", optimised);
         RUN("the order of passes in their enum means nothing", order_of_passes);

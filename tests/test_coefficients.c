@@ -21,7 +21,7 @@ static void basis(float y[16], const double d[3])
     ssgi_sh_basis(y, 4, direction);
 }
 
-/* Light of four bands that is positive on every surface, and different in all channels. */
+/* Writes light of four bands that is positive on every surface, and different in all channels. */
 static void some_light(float light[48])
 {
     for (int i = 0; i < 48; ++i) light[i] = i < 3 ? 3 + 0.5f * (float)i : 0.4f * sinf(2.3f * (float)i);
@@ -34,7 +34,7 @@ static float half_value(uint32_t h)
     return (float)(h & 0x8000 ? -v : v);
 }
 
-/* The vectors that a pass of 4 bands wrote, one a pixel, from any storage. The caller frees them; NULL on failure. */
+/* Returns the vectors that a pass of 4 bands wrote, by pixel, from any storage. The caller frees them; NULL: failed. */
 static float *coefficients_new(const kit_run *run, int pass)
 {
     const kit_pass *p = &run->pass[pass];
@@ -57,7 +57,7 @@ static float *coefficients_new(const kit_run *run, int pass)
     return NULL;
 }
 
-/* Compiles a pass again for its present desc. */
+/* Compiles a pass's program again, for its present desc. */
 static int remade(kit_run *run, int pass)
 {
     run->pass[pass].program = 0;
@@ -66,15 +66,15 @@ static int remade(kit_run *run, int pass)
 
 /* ---- the corner -------------------------------------------------------------------------------------------------- */
 
-/* Lengths in radii. The wall begins at c and ends at end; weight: how much an occluder at distance d counts. */
+/* A wall at distance c, in radii, whose slab ends at end; weight: how much an occluder at distance d counts. */
 typedef struct wall { double c, end; int steps; double (*weight)(double d); } wall;
 static double whole(double d)  { (void)d; return 1; }
 static double smooth(double d) { const double t = fmin(1, fmax(0, (d - 0.5) / 0.5)); return 1 - t * t * (3 - 2 * t); }
 static double lambda(double d) { return 1 / (1 + 2 * d); }
 static double within(double d) { return d <= 1; }
 
-/* The expected vector of the floor before a wall, as the corner's camera shows it: quadrature over directions and
-   lengths. A sample behind the wall's face is blocked by the face at its pixel. n: the floor's normal; along: from
+/* Writes the expected vector of the floor before a wall, as the corner's camera shows it: quadrature over directions
+   and lengths. A sample behind the wall's face is blocked by the face at its pixel. n: the floor's normal; along: from
    there down the slope to the wall. */
 static void wall_vector(double v[16], const wall *w, const double n[3], const double along[3])
 {
@@ -125,7 +125,7 @@ static int strip(float *out, kit_run *run, int row, int pass, int targets)
     return ok;
 }
 
-/* The means of strip's result over columns and phases. */
+/* Writes the means of strip's results over columns and phases of the noise. */
 static int strip_mean(double *mean_, kit_run *run, kit_gbuffer *g, int row, int phases, int pass, int targets)
 {
     float texel[COLUMNS * 16];
@@ -187,8 +187,8 @@ static void walls_block(void)
     t_note("a coefficient is off by %.4f at most", worst);
 }
 
-/* Light that grows toward the wall, away from it, or sideways. Slices must take away the light of the very directions
-   that they block. In the corner upside down the wall is on the slices' other side. */
+/* Checks light that grows toward the wall, away from it, or sideways. Slices must take away the light of the very
+   directions that they block. In the corner upside down the wall is on the slices' other side. */
 static void slices_know_directions(void)
 {
     static const struct { const char *method, *set; } row[] = {
@@ -232,7 +232,7 @@ static void slices_know_directions(void)
     kit_image_free(&white.env);
 }
 
-/* A wall reflects uniform light by its albedo, as far as it blocks the floor. Normals of emitters have 6 bits. */
+/* Checks that a wall reflects uniform light by its albedo, as far as it blocks the floor. Normals have 6 bits. */
 static void walls_reflect(void)
 {
     static const float albedo[3] = { 0.75f, 0.25f, 0.5f };
@@ -262,7 +262,7 @@ static void walls_reflect(void)
         snprintf(set, sizeof set, "thickness=solid,directions=64,fade=lambda,lambda=2,%s", sets[m]);
         if (!begin(&run, &g, "s3ho-points", set, 1, NULL, &dark)) return;
         ssgi_gl_harmonics_set(&run.frame, light, 4, NULL, NULL);
-        int last = 0;                                   /* the pass that draws the bounce */
+        int last = 0;                                   /* the index of the pass that draws the bounce */
         while (run.pass[last].target[0] != run.bounce) ++last;
         if (!strip_mean(found, &run, &g, row_at(w.c), 8, last, 1)) return;
         for (int j = 0; j < 3; ++j) {
@@ -279,7 +279,7 @@ static void walls_reflect(void)
     kit_image_free(&frame);
 }
 
-static uint32_t half_of(double v)                       /* the bits of a half, of v = 0 or v >= 2^-14 */
+static uint32_t half_of(double v)                       /* returns the bits of a half, of v = 0 or v >= 2^-14 */
 {
     const float value = (float)v;
     uint32_t bits;
@@ -312,9 +312,8 @@ static void leave_lobes(const kit_run *run, int pass, const kit_image *frame, in
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-/* The last frame's vectors tell how much light reaches a wall and the back of a room, and so how much they send: all of
-   it with open lobes, none with lobes of 0, and one may be open while the other is not. Normals along axes are exact in
-   6 bits. */
+/* Checks that the last frame's vectors tell how much light reaches a wall and the back of a room, and so how much these
+   send: all of it with open lobes, none with lobes of 0, and one may be open alone. Normals along axes are exact. */
 static void emitters_are_dimmed(void)
 {
     static const double planes[2][4] = { { 1, 0, 0, -0.5 }, { 0, 0, 1, -4 } };
@@ -326,7 +325,7 @@ static void emitters_are_dimmed(void)
     for (int i = 4 * W * H; i < 7 * W * H; ++i) frame.data[i] = 0.8f;
     if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
     for (int m = 0; m < 2; ++m) {
-        float *vector[6];  /* fully open; without reflection; with vectors of none, wall, back, both */
+        float *vector[6];  /* pictures: fully open; no reflection; vectors of none, wall, back, both */
         double worst = 0, sent = 0;
         kit_run run;
         for (int k = 0, pass; k < 6; ++k) {
@@ -347,7 +346,7 @@ static void emitters_are_dimmed(void)
         for (int i = 0; i < 16 * W * H; ++i) {
             const int at = i / 16, from = (H - 1 - at / W) * W + at % W, upright = frame.data[W * H + from] > 0.5f;
             sent = fmax(sent, fabs((double)vector[0][i] - (double)vector[1][i]));
-            for (int k = 2; k < 6; ++k) /* a surface receives the other one's light */
+            for (int k = 2; k < 6; ++k) /* each of the two surfaces receives the other one's light */
                 worst = fmax(worst, fabs((double)vector[k][i] - (double)vector[(k - 2) >> upright & 1 ? 0 : 1][i]));
         }
         CHECK(sent > 0.1 && worst < 1.5e-3, "%s: %.4f off, where %.4f is sent", methods[m], worst, sent);
@@ -357,7 +356,7 @@ static void emitters_are_dimmed(void)
     kit_image_free(&frame); kit_gbuffer_free(&g);
 }
 
-/* A chain's gather reads, of the last frame, the vectors that the filter wrote. */
+/* Checks that a chain's gather reads, of the last frame, the vectors that the filter wrote. */
 static void filtered_sets_are_left(void)
 {
     const ssgi_gl_chain chain = { .desc = { .pass = SSGI_GL_PASS_S3HO,
@@ -386,8 +385,8 @@ static void filtered_sets_are_left(void)
 
 /* ---- light ------------------------------------------------------------------------------------------------------- */
 
-/* The light of a lobe on an open surface, over that on one that faces it; with one band, over the irradiance there. cap
-   is the cosine of the half-angle that the light fills. */
+/* Returns the light of a lobe on an open surface, over that on one that faces it; with one band, over the irradiance
+   there. cap is the cosine of the half-angle that the light fills. */
 static double lobe(double cosine, double cap, int bands, const float *window)
 {
     const double f[3] = { 1, 0.5 + 0.5 * cap, 0.5 * cap * (1 + cap) }, a[3] = { 0.25, 0.5, 0.3125 },
@@ -400,8 +399,8 @@ static double lobe(double cosine, double cap, int bands, const float *window)
     return fmax(0, sum / (bands > 1 ? facing : 1));
 }
 
-/* A plane that faces the camera is lit by one lamp after another, and its middle pixel is compared. Outgoing radiance
-   must be incoming light times albedo, in the kit and in pass shade. */
+/* Checks the middle pixel of a plane that faces the camera, lit by one lamp after another. Outgoing radiance must be
+   incoming light times albedo, in the kit and in pass shade. */
 static void lamps_light_what_faces_them(void)
 {
     enum { WIDTH = 17, HEIGHT = 9, MIDDLE_X = 8, MIDDLE_Y = 4 };
@@ -471,8 +470,8 @@ static void lamps_light_what_faces_them(void)
     kit_image_free(&frame); kit_gbuffer_free(&g);
 }
 
-/* With desc.light.residual an open plane gets the exact light of suns and point lights: with any bands, with light or
-   coefficients filtered, with any window. So it does by bent cones, under a black sky and without a sky. */
+/* Checks that with desc.light.residual an open plane gets the exact light of suns and point lights: with any bands,
+   with light or coefficients filtered, with any window. So it does by bent cones, under a black sky and without one. */
 static void open_is_exact(void)
 {
     static const char *const lights[] = { "sun:0,1,0,2,1,3", "sun:1,0.3,0.2,2,1,3", "sun:0.3,-1,0.1,2,1,3",
@@ -516,7 +515,7 @@ static void open_is_exact(void)
 
 /* ---- two pictures that are one ----------------------------------------------------------------------------------- */
 
-/* A ridge under a street's lamps: nothing occludes, and light differs across the edge. */
+/* Makes a ridge under a street's lamps: nothing occludes, and light differs across the edge. */
 static int ridge(kit_gbuffer *g)
 {
     static const double side[2][1][4] = { { { 0.6, 0.1, 0.79372539, -1.5 } }, { { -0.6, 0.1, 0.79372539, -1.5 } } };
@@ -525,7 +524,7 @@ static int ridge(kit_gbuffer *g)
     const kit_camera c = looking_along_z(WIDTH, PIXELS / WIDTH, 0);
     kit_image frame, other;
     if (!planes_seen(&frame, &c, side[0], 1, slabs) || !planes_seen(&other, &c, side[1], 1, slabs)) return 0;
-    for (int i = 0; i < PIXELS; ++i)                       /* the farther surface of the two */
+    for (int i = 0; i < PIXELS; ++i)                       /* keeps the farther one of the ridge's two slopes */
         for (int k = 3; other.data[i] > frame.data[i] && k >= 0; --k)
             frame.data[k * PIXELS + i] = other.data[k * PIXELS + i];
     const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &c, &err));
@@ -534,11 +533,11 @@ static int ridge(kit_gbuffer *g)
     return ok;
 }
 
-/* Pairs of pictures that must be equal, or must not: their difference, over the first one's mean. A sun whose series is
-   below 0 behind it. Vectors filtered and then lit, or lit and then filtered, without restoring; and in other storage,
-   so with other rounding. With one band most of a lamp is residual, and a gather of light and bounce together must not
-   add that to the bounce. What the filter restores of open light must not change the bounce. Default filters keep a
-   ridge sharp, as no filter does; a filter of light without restoring does not. */
+/* Checks pairs of pictures that must be equal, or must not: their difference, over the first one's mean. A sun whose
+   series is below 0 behind it. Vectors filtered and then lit, or lit and then filtered, without restoring; and in other
+   storage, so with other rounding. With one band most of a lamp is residual, and a gather of light and bounce together
+   must not add that to the bounce. What the filter restores of open light must not change the bounce. Default filters
+   keep a ridge sharp, as no filter does; a filter of light without restoring does not. */
 static void compare(int ridges)
 {
     enum { UNDER_SKY, UNDER_SUN, BY_LAMP, AMONG_COLUMNS, RIDGE, LIT_RIDGE, STAGES };
@@ -558,7 +557,7 @@ static void compare(int ridges)
         { { points, points }, "restore=none," set ",filtered=", { "light", "coefficients" }, seen, UNDER_SKY, WORST, \
           0, most }
         ORDER("store=float,indirect=none,blur=2", light_of, 1e-5),
-        /* off the plane, weights are not quite 0 */
+        /* off the plane, a filter's weights are not quite 0 */
         ORDER("store=float,indirect=none,blur=1,resolution=half", light_of, 1e-4),
         ORDER("store=float,indirect=none,blur=3,filter=gaussian", light_of, 1e-5),
         ORDER("store=float,indirect=none,blur=1,filter_normals=1", light_of, 1e-5),
@@ -644,15 +643,15 @@ static void creases_stay(void)       { compare(1); }
 
 /* ---- bent normals and cones -------------------------------------------------------------------------------------- */
 
-/* Lets the last pass of ssbn write mean directions instead of light. */
+/* Makes the last pass of ssbn write mean directions instead of light. */
 static int show_bent(kit_run *run)
 {
     run->pass[run->passes - 1].desc.light.shading = SSGI_GL_SHADING_BENT;
     return remade(run, run->passes - 1);
 }
 
-/* Writes vectors of cones into the first pass's target: the free directions are a cone. The next pass must find its
-   direction, its half-angle and its light. */
+/* Checks vectors of cones, which are written into the first pass's target: the free directions are a cone. The next
+   pass must find its direction, its half-angle and its light. */
 static void cones_are_found(void)
 {
     enum { SIZE = 32, CONES = 8 };
@@ -679,7 +678,7 @@ static void cones_are_found(void)
             return;
         for (int i = 0; i < SIZE * SIZE; ++i) {
             const int x = i % SIZE, y = i / SIZE;
-            /* a texel's centre, or an edge */
+            /* (x, y): the direction through a texel's centre, or through an edge */
             const float e[2] = { x ? (float)(2 * x + 1) / SIZE - 1 : -1, y || !x ? (float)(2 * y + 1) / SIZE - 1 : -1 };
             float d[3];
             ssgi_octahedral_decode(d, e);
@@ -719,7 +718,7 @@ static void cones_are_found(void)
     kit_run_close(&run); kit_image_free(&frame); kit_image_free(&l.env); kit_gbuffer_free(&g);
 }
 
-/* The floor before a wall: the mean free direction, the cosine of its cone, and the free share of uniform light. */
+/* Checks the floor before a wall: the mean free direction, its cone's cosine, the free share of uniform light. */
 static void bent_normals_bend(void)
 {
     static const wall walls[2] = { { 0.1, 9, 1, whole }, { 0.25, 9, 1, whole } };
@@ -742,7 +741,7 @@ static void bent_normals_bend(void)
             return;
         const double length = sqrt(v[1] * v[1] + v[2] * v[2] + v[3] * v[3]),
                      mean_length = length / sqrt(3 / (4 * pi)) / (v[0] * 2 * sqrt(pi));
-        /* the root of 2/3 (1 + c + c^2) / (1 + c) = mean_length */
+        /* solves 2/3 (1 + c + c^2) / (1 + c) = mean_length for the cosine c */
         const double q = 1.5 * mean_length - 1, cosine = 0.5 * (q + sqrt(q * q + 4 * q));
         for (int j = 0; j < 3; ++j) direction += (double)texel[j] * v[1 + (j + 2) % 3] / length;
         const double off[3] = { acos(fmin(1, direction)), (double)texel[3] - cosine, light[0] - v[0] / 0.886226925 };
@@ -757,7 +756,7 @@ static void bent_normals_bend(void)
 
 /* ---- light that varies ------------------------------------------------------------------------------------------- */
 
-/* GLSL that returns harmonics [3*i + c], and beyond x = 0 times more. */
+/* Writes GLSL that returns harmonics [3*i + c], and so many times these beyond x = 0. */
 static void hook(char *text, size_t size, const float *light, int count, double more)
 {
     size_t n = (size_t)snprintf(text, size, "const vec3 mine[%d] = vec3[%d](", count, count);
@@ -768,8 +767,8 @@ static void hook(char *text, size_t size, const float *light, int count, double 
              ");\nvec3 ssgi_custom_harmonic(int i, vec3 p) { return mine[i] * (p.x > 0.0 ? %.3f : 1.0); }", more);
 }
 
-/* The user's own function of harmonics: those of frame.harmonics on one side of the eye, twice those on the other. The
-   light must be equal on one side and double on the other: in the gather, in pass shade and where blur restores. */
+/* Checks the user's own function of harmonics: those of frame.harmonics on one side of the eye, twice those on the
+   other. The light must be equal and double: in the gather, in pass shade and where blur restores. */
 static void light_varies(void)
 {
     static const struct { const char *method, *set; int bands;
@@ -803,7 +802,7 @@ static void light_varies(void)
         const float *const is = kit_image_channel(&out[0], "irradiance.R"),
                     *const of_own = kit_image_channel(&out[1], "irradiance.R");
         for (int i = 0; i < 3 * W * H; ++i)
-            if (abs(i % W - W / 2) > 4)                    /* the filter mixes both sides near the edge */
+            if (abs(i % W - W / 2) > 4)                    /* beside the edge, where the filter mixes both sides */
                 worst = fmax(worst, fabs((double)of_own[i] - (i % W * 2 + 1 > W ? 2 : 1) * (double)is[i]));
         SHOW(worst < 4e-5 && mean(&out[0], "irradiance.G") > 0.5, "%s %s: %.1e off", row[m].method, row[m].set, worst);
         for (int k = 0; k < 2; ++k) kit_image_free(&out[k]);

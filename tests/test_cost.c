@@ -9,12 +9,12 @@
 
 /* ---- >>walks ----------------------------------------------------------------------------------------------------- */
 
-/* An `if` whose condition is the same for all lanes. */
+/* Assembly of an `if` whose condition is the same for all lanes. */
 #define SIDES "\ts_cmp_eq_i32 s5, 0\n\ts_cbranch_scc1 BB3\n" \
               "BB2:\n\tv_mov_b32_e32 v0, 0\n\ts_branch BB4\n" \
               "BB3:\n\tv_mov_b32_e32 v0, 1\n\tv_rsq_f32_e32 v0, v1\n" \
               "BB4:\n"
-/* A loop whose bound is read from memory, so that its number of turns is unknown. */
+/* Assembly of a loop whose bound is read from memory, so that its number of turns is unknown. */
 #define ENDLESS "BB0:\n\ts_mov_b32 s0, 0\n\ts_buffer_load_dword s1, s[4:7], 0x68\n" \
                 "BB3:\n\ts_cmp_ge_i32 s0, s1\n\ts_cbranch_scc1 BB9\n" \
                 "BB4:\n\tv_mul_f32_e32 v0, v0, v0\n\ts_add_u32 s0, s0, 1\n\ts_branch BB3\n" \
@@ -22,7 +22,7 @@
 
 #define NO_BODY { { 0, 0, 0 }, { 0, 0, 0 } }
 typedef struct expected { double vector, transcendental, fetches; } expected;
-/* turns: of a loop without a known end; endless: its block, numbered from 1 on; 0: there is none. */
+/* turns: assumed for a loop without a known end; endless: the loop's block, from 1 on; 0: there is none. */
 static const struct {
     const char *sentence, *text;
     expected busy, calm, body[2];
@@ -116,8 +116,8 @@ static void walk(void)
 
 /* ---- >>shares ---------------------------------------------------------------------------------------------------- */
 
-/* Five by three texels, each with the bits of two sides, "." without a surface. Tiles of 2x2 are six waves, and the
-   last one shows no surface; the others enter 2 2 0 1 2 times of two. */
+/* Checks shares of waves on five by three texels, each with the bits of two sides, "." without a surface. Tiles of 2x2
+   are six waves, and the last one shows no surface; the others enter 2 2 0 1 2 times of two. */
 static void waves_of_tiles(void)
 {
     static const char picture[] = "10020" "20100" "1.03.";
@@ -140,7 +140,7 @@ static void waves_of_tiles(void)
     }
 }
 
-/* Bodies count by their own shares; or all that may be skipped counts by one share; or all counts. */
+/* Checks that bodies count by their own shares; or all that may be skipped counts by one share; or all counts. */
 static void weighed_by_hand(void)
 {
     static const double shares[] = { 0.5, 0.25 };
@@ -163,7 +163,7 @@ static void weighed_by_hand(void)
     }
 }
 
-/* Picks the most similar row: of the resolution, then by samples; of cameras that stand and turn, the turning one. */
+/* Checks that the row most alike is found: by resolution, then samples; a turning camera's, not a standing one's. */
 static void shares_recorded(void)
 {
     static char *cells[] = { "body", "camera", "half", "steps", "tile", "share",
@@ -193,7 +193,7 @@ static void shares_recorded(void)
         }
 }
 
-/* If a line of the GLSL changes, share.c must change, too: otherwise all of its body would count. */
+/* Checks that shaders have share.c's lines: without its line all of a body would count, so both must change. */
 static void texts_have_bodies(void)
 {
     static const struct { ssgi_gl_desc desc; int count, body[4];
@@ -224,19 +224,19 @@ static void texts_have_bodies(void)
     }
 }
 
-/* The device has a million cycles a millisecond, and 128 lanes that execute 100 instructions for 1.28 million
+/* Checks a device with a million cycles a millisecond, and 128 lanes that execute 100 instructions for 1.28 million
    pixels. */
 static void model_by_hand(void)
 {
     static const struct { load load; int apart; bound bound; double ms; } cases[] = {
         { { 1.28e6, 100, 0, 0, 0, 0, 10 }, 1, ALU, 1.0 },
-        { { 1.28e6, 100, 20, 0, 0, 0, 10 }, 1, ALU, 1.0 },          /* 20 count as 80, at the same time as the others */
+        { { 1.28e6, 100, 20, 0, 0, 0, 10 }, 1, ALU, 1.0 },          /* 20 transcendental ones take 80, beside others */
         { { 1.28e6, 100, 30, 0, 0, 0, 10 }, 1, ALU, 1.2 },
         { { 1.28e6, 100, 30, 0, 0, 0, 10 }, 0, ALU, 1.9 },          /* 70 + 4 * 30 */
-        { { 1.28e6, 0, 0, 64, 0, 0, 1000 }, 1, TEX, 2.56 },         /* 2 units, each 16 a cycle */
-        { { 1.28e6, 0, 0, 64, 16, 0, 1000 }, 1, TEX, 3.2 },         /* 48, and 16 that count twice */
-        { { 1.28e6, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 1.7 },         /* 5000 waves a SIMD, each 200 + 3200 cycles */
-        { { 256, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 0.0034 },         /* one wave a SIMD: none to take its place */
+        { { 1.28e6, 0, 0, 64, 0, 0, 1000 }, 1, TEX, 2.56 },         /* 64 fetches; 2 units fetch 16 a cycle each */
+        { { 1.28e6, 0, 0, 64, 16, 0, 1000 }, 1, TEX, 3.2 },         /* 64 fetches, 16 of which count twice */
+        { { 1.28e6, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 1.7 },         /* 5000 waves a SIMD, 200 + 3200 cycles each */
+        { { 256, 100, 0, 10, 0, 0, 10 }, 1, HIDE, 0.0034 },         /* one wave a SIMD: nothing hides its waits */
         { { 1.28e6, 100, 0, 0, 0, 2e8, 10 }, 1, MEMORY, 2.0 }
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
@@ -248,7 +248,7 @@ static void model_by_hand(void)
     }
 }
 
-/* Writes cells with commas and quotes; columns by their keys, without columns that are empty; a selection of rows. */
+/* Checks csv_put: cells with commas and quotes; columns by keys, without empty ones; a selection of rows. */
 static void tables_put(void)
 {
     static const char text[] = "a,b,c,d\n1,\"x, \"\"y\"\"\",,\n22.5,z,,p\n";

@@ -16,17 +16,17 @@
 
 
 enum { FINER = 8 };                        /* FINER times the rays make the truth that tells the noise */
-static const double margin = 1.04, noisy = 0.4;       /* a bound over its error; the most of it that may be noise */
+static const double margin = 1.04, noisy = 0.4;       /* a bound over its error; the noise's part of it at most */
 
 static csv rows;
 static int now;
 static double found, noise;                /* results of the row */
-static int measures;                       /* 1: measure the noise, too */
+static int measures;                       /* 1: also measure the noise of the truth */
 static kit_error err;
 
 static const char *cell(int at, const char *key) { return csv_text(&rows, at, key); }
 
-/* A row's scene, light, G-buffer and truth; the index of that row, -1: none. */
+/* The opened scene with its light, G-buffer and truth; the index of the row that it is of, -1: none. */
 static stage seen;
 static kit_image finer;
 static int seen_of = -1, traced_of = -1;
@@ -84,14 +84,14 @@ static int trace(int at)
     return 1;
 }
 
-/* RMSE of a picture; of light, over the truth's mean. */
+/* Computes the RMSE of a picture; of light, over the truth's mean. */
 static int error_of(double *error, const kit_image *picture, const char *of)
 {
     static const lit shown;
     stage s = seen;
     row r;
     s.lit = strcmp(of, "visibility") ? &shown : NULL;
-    s.places.width = 0;                    /* no score of edges and border */
+    s.places.width = 0;                    /* a width of 0: edges and border are not scored */
     if (!TRY(kit_image_new(&s.unit, s.truth.width, s.truth.height, s.lit ? KIT_LIT_CHANNELS : "Y", &err))) return 0;
     const int failed = !TRY(score_picture(&r, &s, picture, &err));
     kit_image_free(&s.unit);
@@ -133,9 +133,9 @@ static void bounded(void)
     t_note("%.4f of %.4f", found, bound);
 }
 
-static int rowless;                        /* the number of methods without a row */
+static int rowless;                        /* how many methods have no row */
 
-/* Each method of build/render --list has a row. */
+/* Checks that each method of build/render --list has a row. */
 static void complete(void)
 {
     kit_method m;
@@ -168,7 +168,7 @@ void test_errors(void)
     rows = csv_read("errors.csv");
     csv_folder = was;
     RUN("every method has a bound", complete);
-    if (out && rowless) return;            /* do not write figures without a row */
+    if (out && rowless) return;            /* a method without a row: writes no figures */
     if (!TRY(kit_gl_open(NULL, &err))) return;
     if (out && !CHECK((f = fopen(out, "w")) != NULL, "T_ERRORS=%s: cannot be written", out)) return;
     measures = f != NULL;

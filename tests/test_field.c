@@ -23,7 +23,7 @@ static void direction(double d[3])
     ssgi__polar(d, z, t_within(0, 2 * PI));
 }
 
-/* centre + r w, as the floats of a point */
+/* returns centre + r w, as the floats of a point */
 static const float *point_at(const float centre[3], double r, const double w[3])
 {
     static float p[4][3];
@@ -37,7 +37,7 @@ static const float *point_at(const float centre[3], double r, const double w[3])
 
 static void caps(void)
 {
-    /* by quadrature over azimuths: caps below, across and above; the same, larger than half of the sphere; ends */
+    /* by quadrature over azimuths: caps below, across and above the horizon; the same, over half of the sphere; ends */
     static const struct { double solid_angle, cosine, occlusion;
     } rows[] = { { PI / 4, -0.75, 0 },
                  { PI / 4, -0.03125, 0.022492340305020567 },
@@ -76,7 +76,7 @@ static void caps(void)
         }
 }
 
-/* Looks a table up as the header describes it. */
+/* Returns a value of a table at fractional places, as the header describes it. */
 static double looked_up(const float *table, int size, double solid_angle, double cosine)
 {
     const double u = (solid_angle / (4 * PI) * (size - 1) + 0.5) / size,
@@ -121,8 +121,8 @@ static void cap_tables(void)
     T_REFUSED(ssgi_cap_table(table, 4097, &why), SSGI_BAD_ARGUMENT, "size:", table[0], was);
 }
 
-/* Light through a cap: constant light gives exactly the cap's share of pi; other light gives its sum over fine steps; a
-   cap and its inverse together give all. */
+/* Checks light through a cap: constant light gives exactly the cap's share of pi; other light gives its sum over fine
+   steps; a cap and its inverse together give all. */
 static void cap_lights(void)
 {
     enum { BANDS = 3, STEPS = 400 };
@@ -190,8 +190,8 @@ static void cap_lights(void)
 
 /* ---- >>field: the parts of a bake -------------------------------------------------------------------------------- */
 
-/* Exact solid angle and vector irradiance of a box about the origin, seen from p outside. Each visible face is two
-   triangles [Oosterom, Strackee 1983] and four edges [Lambert]. */
+/* Writes the exact solid angle and vector irradiance of a box about the origin, seen from p outside. Each visible face
+   is two triangles [Oosterom, Strackee 1983] and four edges [Lambert]. */
 static void box_exact(double out[4], const double half[3], const double p[3])
 {
     memset(out, 0, 4 * sizeof *out);
@@ -226,7 +226,7 @@ static void box_exact(double out[4], const double half[3], const double p[3])
 
 typedef struct samples { double radii[64], values[64], directions[64 * 3], w[3]; } samples;
 
-/* Exact samples along a ray, with a bake's spacing; half NULL: of the unit ball. */
+/* Makes exact samples along a ray, with a bake's spacing; half NULL: of the unit ball. */
 static void sample_ray(samples *s, const double *half, const double w[3], int count)
 {
     const double far_away = half ? 8 * sqrt(kit_dot(half, half)) : 8;
@@ -336,7 +336,7 @@ static void centres(void)
     }
     t_note("worst error of a centre: %.4f of the reference's", worst);
     const double truth[3] = { 0.3, -0.2, 0.4 };
-    for (int holes = 0; holes < 3; ++holes) {            /* 0: one true centre; 1: some directions unknown; 2: all */
+    for (int holes = 0; holes < 3; ++holes) {            /* 0: one known centre; 1: some directions unknown; 2: all */
         for (int i = 0; i < 32; ++i) {
             for (int k = 0; k < 3; ++k)
                 s.directions[3 * i + k] = holes == 2 || (holes && i % 3 == 0) ? 0 : truth[k] - s.radii[i] * s.w[k];
@@ -390,7 +390,7 @@ static int traced_by(ssgi_trace *trace, const kit_mesh *m)
                  "%s", why);
 }
 
-/* Rays of the tests: user is the half sides of a box, or the radius of a ball. */
+/* Tests rays for a bake: user is the half sides of a box, or the radius of a ball. */
 static int box_hit(void *user, const float o[3], const float d[3])
 {
     const double *half = (const double *)user;
@@ -412,7 +412,7 @@ static int ball_hit(void *user, const float o[3], const float d[3])
     return c < 0 || (b < 0 && b * b > c * kit_dot(w, w));
 }
 
-/* A ball through which half of the rays pass. */
+/* Tests rays for a bake: a ball through which half of the rays pass. */
 static int porous_hit(void *user, const float o[3], const float d[3])
 {
     uint32_t bits[2];
@@ -433,8 +433,7 @@ static void backwards(void *user, int count, void (*job)(void *context, int i), 
     while (count) job(context, --count);
 }
 
-/* Bakes into one of four places. The work memory is not aligned and ends right at its size. Uses threads unless the
-   desc has its own. */
+/* Bakes a field into one of four places. Work memory is not aligned and ends right at its size. Default: threads. */
 static uint32_t place[4][6 * 66 * 66 * 2 + 1];
 
 static ssgi_field baked(int at, const ssgi_field_desc *desc, const kit_mesh *m)
@@ -459,7 +458,7 @@ static ssgi_field baked(int at, const ssgi_field_desc *desc, const kit_mesh *m)
     return f;
 }
 
-/* A field as bytes. Equal fields have equal bytes. */
+/* Saves a field as bytes. Equal fields have equal bytes. */
 static size_t bytes_of(unsigned char **out, const ssgi_field *f)
 {
     const size_t size = ssgi_field_save(NULL, 0, f);
@@ -495,7 +494,7 @@ static double seen(const ssgi_field *f, const float p[3], const double n[3])
     return (double)ssgi_field_occlusion(f, &limits, p, normal);
 }
 
-/* The largest difference between two fields' occlusion around the hull and the reach. */
+/* Returns the largest difference between two fields' occlusion around the hull and the reach. */
 static double apart(const ssgi_field *a, const ssgi_field *b)
 {
     double most = 0, w[3], n[3];
@@ -655,7 +654,7 @@ static void own_rays(void)
     t_note("own rays against ours: off by %.5f", off);
 }
 
-/* Exact samples by the tests. half: of a box; NULL: of the unit ball, of which a share `filled` occludes. */
+/* Samples made for a bake. half: of a box; NULL: of the unit ball, of which a share `filled` occludes. */
 typedef struct rasters {
     const double *half;
     double filled;
@@ -678,7 +677,7 @@ static void rasterised(void *user, float *out, const float *point, int count)
         before = r;
         if (s->half) box_exact(exact, s->half, p);
         else {
-            const double sine = fmin(1 / r, 1);        /* the mesh is a little smaller than the ball */
+            const double sine = fmin(1 / r, 1);        /* the mesh is a bit smaller */
             exact[0] = 2 * PI * (1 - sqrt(1 - sine * sine));
             for (int k = 0; k < 3; ++k) exact[1 + k] = -PI * sine * sine * p[k] / r;
         }
@@ -690,7 +689,7 @@ static void rasterised(void *user, float *out, const float *point, int count)
     s->wrong += fabs(before / (double)s->reach - 1) > 0.01;
 }
 
-/* A bake by one's own samples, and asked for few rays, equals one of many rays. */
+/* Checks that a bake by one's own samples, and asked for few rays, equals one of many rays. */
 static void own_samples(void)
 {
     const double half[3] = { 1, 0.5, 0.25 }, up[3] = { 0, 0, 1 };
@@ -716,9 +715,9 @@ static void own_samples(void)
     }
 }
 
-/* The one closed form: a ball that rests on a plane occludes 1/(1 + rho^2)^1.5 of it. By rays, and by a ball that lets
-   half of them through; by samples with lengths, and with unit directions as in the paper; by samples of a ball that is
-   half holes. */
+/* Checks the one closed form: a ball that rests on a plane occludes 1/(1 + rho^2)^1.5 of it. By rays, and by a ball
+   that lets half of them through; by samples with lengths, and with unit directions as in the paper; by samples of a
+   ball that is half holes. */
 static void ball_on_plane(void)
 {
     static const struct { const char *name; int (*hit)(void *, const float *, const float *); rasters of; double most;
@@ -746,7 +745,7 @@ static void ball_on_plane(void)
     }
 }
 
-/* Unfiltered, a texel is the fit of its own direction, so a bake has a quarter of the directions. */
+/* Checks that an unfiltered texel is the fit of its own direction, so that a bake has a quarter of the directions. */
 static void unfiltered(void)
 {
     double error[2] = { 0, 0 };
@@ -779,7 +778,7 @@ static void unfiltered(void)
 /* The centres of three fine texels, of 16 a side on the cube: two within faces, one beside an edge. */
 static const double impulses[3][3] = { { 1, 0.0625, -0.4375 }, { 0.3125, -1, 0.1875 }, { 0.9375, -0.1875, 1 } };
 
-/* Samples in the directions of these texels leave most of the cap open; those of others fill it. */
+/* Makes samples that in the directions of these texels leave most of the cap open; those of others fill it. */
 static void impulse(void *user, float *out, const float *point, int count)
 {
     for (int i = 0; i < count; ++i, point += 3, out += 4) {
@@ -796,8 +795,8 @@ static void impulse(void *user, float *out, const float *point, int count)
     }
 }
 
-/* A texel is the mean of 4x4 fine ones by a Gaussian with a deviation of one fine texel. A single differing fine texel
-   counts by the bell's values at half and at one and a half fine texels, across edges as within faces. */
+/* Checks that a texel is the mean of 4x4 fine ones by a Gaussian with a deviation of one fine texel. A single differing
+   fine texel counts by the bell's values at half and at one and a half fine texels, across edges as within faces. */
 static void filtered(void)
 {
     static float solid_angle = 0.2f;
@@ -910,7 +909,7 @@ static void bad_arguments(void)
     free(work);
 }
 
-/* Whether occlusion is in [0,1] around and in the hull, beyond the reach and at the centre. */
+/* Returns whether occlusion is in [0,1] around and in the hull, beyond the reach and at the centre. */
 static int sane(const ssgi_field *f)
 {
     int ok = isfinite(f->p95) && f->p95 >= 0 && f->p95 <= 1 && f->inside >= 0 && f->inside <= 1;
@@ -930,8 +929,8 @@ static void degenerate(void)
 {
     static const struct {
         const char *name;
-        float half[3], position[9];        /* a box, or a triangle */
-        int far_away, scaled;              /* far_away: it still occludes there; scaled: with equal bits */
+        float half[3], position[9];        /* half sides of a box, or corners of a triangle */
+        int far_away, scaled;              /* far_away: occludes there; scaled: bytes stay equal */
     } rows[] = { { "a triangle", { 0 }, { 0, 0, 0, 1, 0, 0, 0.3f, 1, 0.2f }, 1, 1 },
                  { "a needle", { 0 }, { -1, 0, 0, 1, 0, 0, 1, 1e-4f, 0 }, 0, 1 },
                  { "a flat box", { 1, 0.7f, 0 }, { 0 }, 1, 0 },
@@ -996,8 +995,8 @@ static void hulls(void)
     }
 }
 
-/* A bake shoots rays into a cone about a few directions. It must hold all of the mesh, also parts between those
-   directions, as of small random triangles near the unit sphere. */
+/* Checks that a bake shoots rays into a cone about a few directions that holds all of the mesh, also parts between
+   those directions, as of small random triangles near the unit sphere. */
 static void cones(void)
 {
     static float cloud[9 * 400];
@@ -1046,7 +1045,7 @@ static void cones(void)
 /* The points in the cube from which a bake looks, and how many of their rays hit. */
 typedef struct looks { int points, rays[256], hits[256]; float from[256][3]; } looks;
 
-/* Low directions hit, as many as the point's share of the way out. Near the centre all hit. */
+/* Tests rays for a bake: low directions hit, as many as the point's share of the way out. Near the centre all hit. */
 static int low_hit(void *user, const float o[3], const float d[3])
 {
     looks *l = (looks *)user;
@@ -1086,7 +1085,7 @@ static void toward_the_centre(void)
     t_note("%.6f; of its %d points %.6f; by the integrals %.3f", (double)f.inside, l.points, sum / weight, closed);
 }
 
-/* Rays without an occluder: texels are unlike their neighbours. */
+/* Tests rays for a bake without an occluder, so that texels are unlike their neighbours. */
 static int wild_hit(void *user, const float o[3], const float d[3])
 {
     const double p[3] = { (double)o[0], (double)o[1], (double)o[2] }, r = sqrt(kit_dot(p, p));
@@ -1179,7 +1178,7 @@ static void limits(void)
 
 /* ---- files ------------------------------------------------------------------------------------------------------- */
 
-static void repair(unsigned char *file, size_t size)      /* FNV-1a over all bytes before it */
+static void repair(unsigned char *file, size_t size)      /* writes FNV-1a of all bytes before it: the checksum */
 {
     uint64_t h = 14695981039346656037u;
     for (size_t i = 0; i < size - 8; ++i) h = (h ^ file[i]) * 1099511628211u;
@@ -1225,7 +1224,7 @@ static void files(void)
     CHECK(ssgi_field_load(&g, NULL, 0, file, size - 1, NULL) == SSGI_BAD_ARGUMENT, "a file that is cut has a head");
     repair(copy, size + 4);
     REFUSED("file:", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size + 4);
-    copy[7] = '1';                                   /* the version that had 16 bits */
+    copy[7] = '1';                                   /* version 1 of the file, with 16 bits a number */
     repair(copy, size);
     REFUSED("file: is of another version", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size);
     copy[6] = 'X';

@@ -13,7 +13,7 @@ static void put(const char *name, const void *bytes, size_t size)
     CHECK(!kit_file_write(in_folder(name), bytes, size, NULL), "%s cannot be made", name);
 }
 
-/* Reads a file of less than 64 kB; returns its size. */
+/* Reads a file of less than 64 kB into bytes. Returns its size. */
 static size_t get(const char *name, char bytes[65536])
 {
     char *data;
@@ -24,7 +24,7 @@ static size_t get(const char *name, char bytes[65536])
     return size;
 }
 
-/* The call failed with one line that names the file. */
+/* Checks that a call failed with one line that names the file. */
 static void check_error(int result, const kit_error *err, const char *name, const char *about)
 {
     CHECK(result == -1, "%s: accepted", about);
@@ -55,7 +55,7 @@ static void exr_round_trip(void)
     static const char *const names[] = { "Z", "N.Y", "A", "layer1.N.X", "R", "G", "B" };  /* not in the file's order */
     kit_image a, b = { 0 };
     kit_error err = {{0}};
-    size_t size = 53 * 37 * sizeof(float);      /* 37: the last ZIP chunk has 5 rows */
+    size_t size = 53 * 37 * sizeof(float);      /* 37 rows, so that the last ZIP chunk has 5 */
     sample_image(&a, 53, 37, "Z,N.Y,A,layer1.N.X,R,G,B");
     CHECK(!kit_exr_write(&a, in_folder("a.exr"), &err), "%s", err.text);
     if (!CHECK(!kit_exr_read(&b, in_folder("a.exr"), &err), "%s", err.text)) return;
@@ -70,7 +70,7 @@ static void exr_round_trip(void)
     kit_image_free(&b);
 }
 
-/* The pixels of a part are 1000 part + 20 y + x; the parts' windows differ. */
+/* Returns the value of a part's pixel, 1000 part + 20 y + x; the parts' windows differ. */
 static float of_part(int part, int x, int y) { return (float)(1000 * part + 20 * y + x); }
 
 static const struct { const char *name, *view, *channel, *read; int min[2], max[2]; } several[] = {
@@ -135,7 +135,7 @@ static void exr_of_parts(void)
     kit_image_free(&image);
 }
 
-/* Cuts a file after every step-th byte; the reader must refuse each with one line. */
+/* Cuts a file after every step-th byte, and checks that the reader refuses each with one line. */
 static void cut(const char *name, size_t step, int (*read)(kit_image *image, const char *path, kit_error *err))
 {
     static char bytes[65536];
@@ -203,8 +203,8 @@ static void claim(const char *name, int32_t width, int32_t height)
     put(name, bytes, size);
 }
 
-/* Pictures by OpenEXR's C++ in every compression, in rows and in tiles, are read. If a header claims more pixels than
-   its bytes can hold, it is refused before memory is allocated. */
+/* Checks that pictures by OpenEXR's C++ are read in every compression, in rows and in tiles. If a header claims more
+   pixels than its bytes can hold, it must be refused before memory is allocated. */
 static void exr_claims(void)
 {
     enum { WIDE = 36, HIGH = 20 };
@@ -234,7 +234,7 @@ static void exr_claims(void)
     check_error(kit_exr_read(&untouched, in_folder("dwa.exr"), &err), &err, "dwa.exr", "its compression");
 }
 
-/* Overwrites bytes of a file, so many bytes after the first place of a text; 0: the text is not in it. */
+/* Overwrites bytes of a file, so many bytes after the first place of a text. Returns 0 if the text is not in it. */
 static int patch(const char *name, const char *text, size_t after, const void *bytes, size_t count)
 {
     static char file[65536];
@@ -258,7 +258,7 @@ static int frame_written(const char *name, const kit_header *header)
     return ok;
 }
 
-/* The distance in pixels between points that pixel (x, y) of a and (x + dx, y + dy) of b show. */
+/* Returns the distance in pixels between points that pixel (x, y) of a and (x + dx, y + dy) of b show. */
 static double astray(const kit_camera *a, const kit_camera *b, int dx, int dy)
 {
     double most = 0;
@@ -274,8 +274,8 @@ static double astray(const kit_camera *a, const kit_camera *b, int dx, int dy)
     return most;
 }
 
-/* A camera as the standard words it, worked out by hand; then written and read back, for cameras all around; and with a
-   data window that is a part of the display window. */
+/* Checks a camera as the standard words it, worked out by hand; then written and read back, for cameras all around; and
+   with a data window that is a part of the display window. */
 static void exr_camera(void)
 {
     static const int32_t shown[4] = { -8, -2, 23, 9 };             /* 32 x 12 pixels, of which the file has 8 x 6 */
@@ -333,7 +333,7 @@ static void exr_camera(void)
     t_note("cameras read back: %.1e pixels astray at most", worst);
 }
 
-/* Malformed attributes are named; those that were not asked for are not read. */
+/* Checks that malformed attributes are named; those that were not asked for are not read. */
 static void exr_camera_bad(void)
 {
     static const int32_t none[4] = { 5, 5, 4, 4 };
@@ -419,9 +419,9 @@ static void fuzzed(void)
     CHECK(!shell(said, sizeof said, "TMPDIR=. '%s/build/fuzz-files' 800x%s", t_root, ""), "%s", said);
 }
 
-/* The page replaces the parts of full runs, here of the papers and of scenes by seed, and keeps the others to the byte.
-   A record that cannot be read changes nothing. The mean of three scenes' 0.3, 0.5, 1.3 is 0.7, its standard error
-   sqrt(0.56 / 2 / 3) = 0.3055. */
+/* Checks that the page replaces the parts of full runs, here of the papers and of scenes by seed, and keeps the others
+   to the byte. A record that cannot be read changes nothing. The mean of three scenes' 0.3, 0.5, 1.3 is 0.7, its
+   standard error sqrt(0.56 / 2 / 3) = 0.3055. */
 static void figures(void)
 {
 #define OTHER "\n## Where methods fail\n\nold sweeps, to the byte\n"
@@ -460,8 +460,8 @@ static void figures(void)
 #undef ROW
 }
 
-/* README's charts are drawn from the csv, on white, as the page around them may be dark. A line's name stands at the
-   method without settings, else at the least error; for a sweep at its end. */
+/* Checks that README's charts are drawn from the csv, on white, as the page around them may be dark. A line's name
+   stands at the method without settings, else at the least error; for a sweep at its end. */
 static void charts(void)
 {
     static const char *const lines =
@@ -530,7 +530,7 @@ static void hdr(void)
     }
 }
 
-/* Radiance pictures with faults, or with headers that claim more than the file holds. */
+/* Checks Radiance pictures with faults, or with headers that claim more than the file holds. */
 static void hdr_bad(void)
 {
 #define RADIANCE "#?RADIANCE\n"
@@ -560,8 +560,8 @@ static void hdr_bad(void)
 
 enum { PLACES_W = 64, PLACES_H = 48, PLACES = PLACES_W * PLACES_H };
 
-/* The view depth at which a pixel's ray meets the plane n.P = d: of a camera of 60 degrees, or of an orthographic one 3
-   units high; 0 = nowhere. */
+/* Returns the view depth at which a pixel's ray meets the plane n.P = d: of a camera of 60 degrees, or of an
+   orthographic one 3 units high; 0 = nowhere. */
 static double depth_of_plane(int i, int perspective, const double n[3], double d)
 {
     const double scale = perspective ? tan(acos(-1) / 6) : 1.5;
@@ -571,7 +571,7 @@ static double depth_of_plane(int i, int perspective, const double n[3], double d
     return z > 0 && z < 1e6 ? z : 0;
 }
 
-/* How many pixels of each kind a row has: [0] left of a column, [1] in all. */
+/* Counts how many pixels of each kind a row has: [0] left of a column, [1] in all. */
 static void places_in_row(int count[2][KIT_PLACES], const kit_image *places, int y, int column)
 {
     memset(count, 0, 2 * sizeof *count);
@@ -596,7 +596,7 @@ static void places(void)
     kit_image_new(&frame, PLACES_W, PLACES_H, "Z", NULL);
     for (int perspective = 0; perspective < 2; ++perspective) {
         camera.fovy = perspective ? 60 : 0;
-        for (int tilt = 0; tilt < 89; tilt += 11) {                      /* up to 88 degrees, each with a fold */
+        for (int tilt = 0; tilt < 89; tilt += 11) {                      /* two planes that fold by up to 88 degrees */
             const double at = tilt * acos(-1) / 180, n[3] = { 0.3 * sin(at), sin(at), cos(at) };
             int edges = 0;
             for (int i = 0; i < PLACES; ++i) {
@@ -610,7 +610,7 @@ static void places(void)
                   perspective, edges);
             kit_image_free(&out);
         }
-        for (int step = 0; step < 2; ++step) {                           /* jumps of 1.2 and 0.8 of the threshold */
+        for (int step = 0; step < 2; ++step) {                           /* depth jumps: 1.2 and 0.8 of the threshold */
             for (int i = 0; i < PLACES; ++i)
                 frame.data[i] = (float)depth_of_plane(i, perspective, facing, -4)
                               + (i % PLACES_W < 40 ? 0 : step ? 0.08f : 0.12f);
@@ -704,7 +704,7 @@ static void score(void)
     kit_image_free(&b);
 }
 
-static double plain_ssim(const kit_image *a, const kit_image *b)               /* the definition, pixel by pixel */
+static double plain_ssim(const kit_image *a, const kit_image *b)               /* SSIM by its definition, by pixel */
 {
     double total = 0;
     int w = a->width, h = a->height;
@@ -730,7 +730,7 @@ static void ssim(void)
     kit_image a, b;
     kit_score s;
     double before = 1;
-    kit_image_new(&a, 300, 40, "Y", NULL);      /* wider than one strip of columns */
+    kit_image_new(&a, 300, 40, "Y", NULL);      /* a picture wider than one strip of columns */
     kit_image_new(&b, 300, 40, "Y", NULL);
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < 300 * 40; ++i) {
@@ -981,8 +981,8 @@ static void objects_cast_and_move(void)
     kit_scene_free(&s);
 }
 
-/* The greatest error of a truth between objects, seen from above: the ball occludes the plane by 1 / (1 + rho^2)^1.5;
-   if the plane casts, it occludes the ball by (1 - n.y) / 2. */
+/* Returns the greatest error of a truth between objects, seen from above: the ball occludes the plane by 1 / (1 +
+   rho^2)^1.5; if the plane casts, it occludes the ball by (1 - n.y) / 2. */
 static double ball_and_plane(int ball, int plane, kit_image *y)
 {
     kit_error err = {{0}};
@@ -1023,8 +1023,8 @@ static void truth_of_objects(void)
 
 /* ---- environments ------------------------------------------------------------------------------------------------ */
 
-/* Luminance of the irradiance over pi from a direction's hemisphere. peak: the brightest texel; step: the largest
-   difference between neighbouring texels. */
+/* Returns the luminance of the irradiance over pi from a direction's hemisphere. peak: the brightest texel; step: the
+   largest difference between neighbouring texels. */
 static double facing(const kit_image *env, const float to[3], double *peak, double *step)
 {
     static const double weight[3] = { 0.2126, 0.7152, 0.0722 };
@@ -1075,7 +1075,7 @@ static void environments(void)
           err.text);
 
     const kit_light sun = { KIT_SUN, { 0.6f, -0.48f, 0.64f }, { 3, 2, 1 } };
-    for (int k = 0; k < 2; ++k) {                       /* on black, then on white */
+    for (int k = 0; k < 2; ++k) {                       /* 0: on a black ground; 1: on white */
         if (k && !CHECK(!kit_env_read(&env, "white", &err), "%s", err.text)) return;
         if (!CHECK(!kit_env_add_sun(&env, &sun, 3, &err), "%s", err.text)) return;
         const double is = facing(&env, sun.at, &peak, &step) - k,

@@ -19,13 +19,13 @@ static kit_pass *pass_of(kit_run *run, int pass)
     return p;
 }
 
-/* A script changes the light of an open plane, filtered without noise. The result is a mean over at most `most` frames,
-   held near a mean over three, and that near the present value. The mean that has to be moved forgets frames. Frames of
-   uneven length count by their time. */
+/* Checks a script that changes the light of an open plane, filtered without noise. The result is a mean over at most
+   `most` frames, held near a mean over three, and that near the present value. The mean that has to be moved forgets
+   frames. Frames of uneven length count by their time. */
 static void light_is_followed(void)
 {
     enum { FRAMES = 20 };
-    static const double took[5] = { 1, 1, 4, 0.5, 2 }; /* in 60ths of a second */
+    static const double took[5] = { 1, 1, 4, 0.5, 2 }; /* how long each frame takes, in 60ths of a second */
     static const struct { const char *name; double from, to, by; int uneven; } row[] = {
         { "steady", 1, 1, 1, 0 }, { "brighter at once", 1, 3, 1, 0 }, { "darker at once", 1, 0.4, 1, 0 },
         { "a little brighter", 1, 1.012, 1, 0 }, { "rising", 1, 1, 1.01, 0 }, { "falling", 1, 1, 0.985, 0 },
@@ -82,7 +82,7 @@ static void light_is_followed(void)
     kit_image_free(&white.env);
 }
 
-/* Frames of a method, and the last two G-buffers. */
+/* A sequence of frames drawn by a method, and the last two G-buffers. */
 typedef struct sequence { kit_frames frames; kit_gbuffer g[2]; kit_method method; } sequence;
 
 /* Draws the next frame from a picture, and frees the picture. */
@@ -111,7 +111,7 @@ static void end_frames(sequence *s)
     for (int k = 0; k < 2; ++k) kit_gbuffer_free(&s->g[k]);
 }
 
-/* How many frames each pixel of the last picture averages. */
+/* Reads how many frames each pixel of the last picture averages. */
 static int frames_kept(float kept[W * H], kit_run *run)
 {
     static float texel[4 * W * H];
@@ -123,8 +123,8 @@ static int frames_kept(float kept[W * H], kit_run *run)
     return 1;
 }
 
-/* The expected counts of a frame that moved by dx, dy from a frame of another size: a pixel interpolates the counts of
-   the four pixels around its last place. The count is at most 16, and lower the farther the place is from a centre. Up
+/* Writes the expected counts of a frame that moved by dx, dy from one of another size: a pixel interpolates the counts
+   of four pixels around its last place. The count is at most 16, and lower the farther the place is from a centre. Up
    to a pixel beyond the border it counts as at the border, up to a hundredth from a centre as at the centre. */
 static void count(float kept[W * H], const int size[2], const int was[2], double dx, double dy)
 {
@@ -148,9 +148,9 @@ static void count(float kept[W * H], const int size[2], const int was[2], double
     }
 }
 
-/* How many frames each pixel averages while a camera over an open plane stands, turns or jumps. A bar appears: pixels
-   forget where the bar fills a share of the space within the radius. told: motion vectors say that all stands (1), or
-   the motion that the camera's turn otherwise gives (2). */
+/* Checks how many frames each pixel averages while a camera over an open plane stands, turns or jumps. A bar appears:
+   pixels forget where the bar fills a share of the space within the radius. told: motion vectors say that all stands
+   (1), or the motion that the camera's turn otherwise gives (2). */
 static void frames_are_counted(void)
 {
     enum { FRAMES = 18, BAR = 40, ACROSS = 16, FAR_ = 30 };
@@ -214,7 +214,7 @@ static void frames_are_counted(void)
     }
 }
 
-/* A bar passes over a floor. Once it is gone and farther away than the radius, the floor is open at once. */
+/* Checks that a bar leaves no trail on a floor: once it is farther away than the radius, all is open at once. */
 static void nothing_trails(void)
 {
     enum { FRAMES = 14, WIDE_ = 14, STEP = 4 };
@@ -232,7 +232,7 @@ static void nothing_trails(void)
         for (int p = 0; p < W * H && t > 6; ++p) {
             const int gap = left - 1 - p % W;              /* pixels between this place and the bar that has passed */
             if (gap >= 0 && gap < 3) beside = fmin(beside, (double)out.data[p]);
-            for (int k = 0; k < 3; ++k)                    /* for k frames beyond the radius and the filter */
+            for (int k = 0; k < 3; ++k)                    /* for k frames so far beyond the radius and the filter */
                 if (gap >= 11 + k * STEP && gap < 11 + (k + 1) * STEP) behind[k] = fmin(behind[k], (double)out.data[p]);
         }
         kit_image_free(&out);
@@ -242,7 +242,7 @@ static void nothing_trails(void)
     end_frames(&s);
 }
 
-/* A camera glides past solids. At their edges depths differ, but nothing appears or disappears: little is forgotten. */
+/* Checks that a camera that glides past solids forgets little: depths differ at edges, but nothing appears. */
 static void little_is_forgotten(void)
 {
     enum { FRAMES = 8 };
@@ -275,7 +275,7 @@ static void little_is_forgotten(void)
 
 /* ---- noise, motion, hostile input ------------------------------------------------------------------------------- */
 
-/* A run of a method on a built-in scene at a small size. */
+/* Opens a run of a method on a built-in scene at a small size. */
 static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting, int width,
                    const char *name, const char *set)
 {
@@ -286,11 +286,11 @@ static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const k
         && open_run(run, g, name, set, scene->radius, scene, lighting);
 }
 
-/* The difference between two single frames with other noise, and between two means over sixteen such frames. Then a
-   cut. */
+/* Compares the difference between two single frames with other noise with that between two means over sixteen such
+   frames. Then checks a cut. */
 static void history_is_quiet(void)
 {
-    enum { FIRST = 100 };                                  /* the first frame of the second sixteen */
+    enum { FIRST = 100 };                                  /* the number of the first of the second sixteen frames */
     static const struct { const char *method, *set; double alone, kept; } kept[] = {
         { "hsao-fast", "history=1", 0.027, 0.012 }, { "hsao", "resolution=full,history=1", 0.015, 0.0026 },
         { "hsao-fast", "resolution=quarter,slices=2,history=1", 0.036, 0.013 },
@@ -332,7 +332,7 @@ static void history_is_quiet(void)
     kit_scene_free(&scene);
 }
 
-/* The texture that a pass reads by this name. */
+/* Returns the texture that a pass reads by this name. */
 static GLuint *read_as(kit_pass *p, const char *name)
 {
     for (int k = 0; k < p->step->inputs; ++k) if (!strcmp(p->step->input[k].name, name)) return &p->input[k];
@@ -361,9 +361,9 @@ static GLuint poisoned(const kit_pass *p, GLuint texture, int lane, float value,
     return copy;
 }
 
-/* History with bad texels: a frame in which a lane is NaN or infinity and depths are right, for each kind of restoring;
-   then a hundred frames with random values, depth too. All frames must be finite and in range, and after a few sound
-   frames nothing of it may be left. */
+/* Checks history with bad texels: a frame in which a lane is NaN or infinity and depths are right, for each kind of
+   restoring; then a hundred frames with random values, depth too. All frames must be finite and in range, and after a
+   few sound frames nothing of it may be left. */
 static void hostile_history(void)
 {
     static const struct { const char *method, *set; } kept[] = {
@@ -371,7 +371,7 @@ static void hostile_history(void)
         { "ssdo-fast", "bounce=none,history=1,restore=ratio" },
         { "ssdo-fast", "bounce=none,history=1,restore=difference" },
         { "s3ho-fast", "indirect=joint,history=1,restore=difference" } };
-    /* name NULL: this frame's visibility or light. The first row is sound, for comparison. */
+    /* name NULL: the texture of this frame's visibility or light. The first row is sound, for comparison. */
     static const struct { const char *name; int lane; float value; unsigned frames; } poison[] = {
         { "none", 0, 0, 0 }, { "t_ssgi_history", 0, NAN, 1 }, { "t_ssgi_history", 0, INFINITY, 1 },
         { "t_ssgi_history", 2, NAN, 1 }, { "t_ssgi_history", 3, NAN, 1 }, { "t_ssgi_means", 0, NAN, 1 },
@@ -405,7 +405,7 @@ static void hostile_history(void)
             for (unsigned f = 1; f <= last; ++f) {
                 GLuint copy[3] = { 0 }, was[3] = { 0 }, *at[3] = { NULL };     /* grey methods have no means */
                 kit_image out;
-                TRY(kit_run_follow(&run, &run, 200 - last + f, &err));         /* the last frames have the same noise */
+                TRY(kit_run_follow(&run, &run, 200 - last + f, &err));         /* the last frames have one noise */
                 if (f >= BEFORE && f < BEFORE + poison[i].frames) {
                     at[0] = read_as(p, of);
                     if (poison[i].lane == ANYTHING) {
@@ -440,8 +440,8 @@ static void hostile_history(void)
     kit_scene_free(&scene);
 }
 
-/* The frame's data on the last frame: size, jitter and field of view are followed; bad matrices and times are refused
-   by name. */
+/* Checks a frame's data on the last frame: it follows size, jitter and field of view; refuses bad matrices and
+   times. */
 static void last_frames(void)
 {
     /* footprint: the width of a pixel of the last frame in this frame's pixels, at least 1 */
@@ -474,7 +474,7 @@ static void last_frames(void)
               "of another size: %s; %d x %d, pixels %.6f times as wide", why, (int)frame.last_size[0],
               (int)frame.last_size[1], (double)frame.last_footprint);
     }
-    for (int i = 0; i < 8; ++i) {                          /* a point through both cameras, and back */
+    for (int i = 0; i < 8; ++i) {                          /* one point through both cameras and back */
         const double p[3] = { 0.3 * (i & 1), 0.2 * (i & 2), -3.0 - i };
         double to[3], v[3], at[2];
         for (int r = 0; r < 3; ++r) {
@@ -493,7 +493,7 @@ static void last_frames(void)
         }
     }
     was = frame;
-    for (int k = 0; k < 4; ++k) {                          /* not finite, scaled; this frame's, the last one's */
+    for (int k = 0; k < 4; ++k) {                          /* not finite or scaled; of this frame, of the last */
         memcpy(bad, k < 2 ? now : then, sizeof bad);
         if (k % 2) bad[5] = NAN;
         else for (int i = 0; i < 12; ++i) bad[i] *= 100;

@@ -112,8 +112,8 @@ static int code_named(const char *name, size_t n, int before)      /* its last e
     return -1;
 }
 
-/* Marks all names that are used. Each must be an earlier entry, a row, a function of desc.shader.fetch, or a varying
-   that the entry declares. */
+/* Checks all names that are used, and marks them. Each must be an earlier entry, a row, a function of
+   desc.shader.fetch, or a varying that the entry declares. */
 static void names(void)
 {
     static char reached[CODES], named[ROWS];
@@ -140,7 +140,7 @@ static void names(void)
     for (int i = CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *c = &ssgi_gl__library[i];
         int defines = 0, others = 0;
-        /* all entries of one name count as reached */
+        /* all entries of one name count as reached if one is */
         if (code_named(c->name, strlen(c->name), CODES) != i)
             reached[i] = reached[code_named(c->name, strlen(c->name), CODES)];
         CHECK(reached[i], "%s: nothing names it", c->name);
@@ -166,7 +166,7 @@ static void names(void)
                       c->name, (int)n, s);
                 defines |= s > line && isalpha((unsigned char)*line)
                            && (itself || (!strncmp(c->name, "main_", 5) && n == 4 && !memcmp(s, "main", 4)));
-                /* a constant or a global, whose value follows */
+                /* a constant or a global, whose value follows its name */
                 if (itself && *line != ' ' && !strncmp(s + n, " = ", 3)) break;
                 others |= isalpha((unsigned char)*line) && s > line && s[n] == '(' && strncmp(line, "layout", 6)
                           && !itself && memcmp(s, "main", 4);
@@ -184,7 +184,7 @@ static void names(void)
     for (int r = 0; r < ROWS; ++r)         /* the emitter names that row: see >>library */
         CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_layer"), "row %s: nothing can name it",
               ssgi_gl__rows[r].io.name);
-    for (int r = 0; r < ROWS; ++r) {       /* fetches at u_ssgi_origin get a layer, so they must be of your textures */
+    for (int r = 0; r < ROWS; ++r) {       /* at u_ssgi_origin fetches have a layer: textures of yours */
         char at[80];
         int fetched = 0;
         snprintf(at, sizeof at, "%s, p + u_ssgi_origin, 0", ssgi_gl__rows[r].io.name);
@@ -200,7 +200,7 @@ static void names(void)
     }
 }
 
-/* Whether every line that sets a name contains one of two words, and there is such a line. */
+/* Returns whether every line that sets a name contains one of two words, and there is such a line. */
 static int set_by(const char *text, const char *name, const char *word, const char *other)
 {
     char is[40], line[160];
@@ -215,9 +215,9 @@ static int set_by(const char *text, const char *name, const char *word, const ch
     return lines > 0;
 }
 
-/* Whether a loop's bound is limited whatever textures and the frame hold: a literal, a constant or an array's length; a
-   name that is clamped by a constant or by the rows of a texture; a count that is one of two constants or a call's
-   result; the reach of a clamped level. */
+/* Returns whether a loop's bound is limited whatever textures and the frame hold: a literal, a constant or an array's
+   length; a name that is clamped by a constant or by the rows of a texture; a count that is one of two constants or a
+   call's result; the reach of a clamped level. */
 static int bounded(const char *text, const char *bound)
 {
     static const char *const constants[] = { "more", "layers", "count" };
@@ -282,7 +282,7 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
     memcpy((char *)d + c->offset, &value, sizeof value);
 }
 
-/* Other languages rely on the tables: these have every member of the structs, and a 0 gives the text of the default. */
+/* Checks the tables for other languages: they have all members, and a 0 gives the shader of the default. */
 static void reflection(void)
 {
     const size_t ints = offsetof(ssgi_gl_desc, shader.version) / sizeof(int);
@@ -330,7 +330,7 @@ static void reflection(void)
 
 /* ---- how fields are resolved ------------------------------------------------------------------------------------- */
 
-/* A random desc that is accepted; one field in three is set. */
+/* Returns a random desc that is accepted; one field in three is set. */
 static ssgi_gl_desc any_desc(int pass)
 {
     for (;;) {
@@ -346,8 +346,8 @@ static ssgi_gl_desc any_desc(int pass)
     }
 }
 
-/* Rules read the desc as given, and other rules' results only where they say so. So their order does not matter: at
-   most one rule of a field holds, and none depends on itself. */
+/* Checks that rules read the desc as given, and other rules' results only where they say so. So their order does not
+   matter: at most one rule of a field holds, and none depends on itself. */
 static void rules_have_no_order(void)
 {
     enum { ORDERS = 10, DESCS = 400 };
@@ -377,8 +377,9 @@ static void rules_have_no_order(void)
     }
 }
 
-/* Fields of the camera, of your textures and of the language belong to all passes. For any other field its row, or a
-   rule, says which passes look at it. For the other passes it is 0, so that #if lines need not ask for the pass. */
+/* Checks that fields of the camera, of your textures and of the language belong to all passes. For other fields their
+   row, or a rule, says which passes look at them. For other passes they are 0, so #if lines need not ask for the
+   pass. */
 static void fields_have_their_passes(void)
 {
     for (int i = 1; i < SSGI_GL__FIELDS; ++i) {

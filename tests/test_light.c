@@ -14,7 +14,7 @@ enum { W = 112, H = 63 };
 
 /* ---- furnace ----------------------------------------------------------------------------------------------------- */
 
-/* Replaces a run's emitters by copies with a radiance of 1, so that every surface sends 1. */
+/* Replaces a run's emitters by copies with a radiance of 1, so that every surface sends light of 1. */
 static int shine(kit_run *run)
 {
     const ssgi_gl_desc *d = NULL;                                              /* of the last gather */
@@ -128,8 +128,7 @@ static void furnace(void)
     kit_image_free(&l.env);
 }
 
-/* In uniform light a white corner sends all that comes in if light bounces again and again; a single bounce loses
-   some. */
+/* Checks that a white corner in uniform light sends all that comes in by bounces without end; by one bounce less. */
 static void further_bounces(void)
 {
     static const char *const sets[2] = { "reuse=1,two_sided=1", "reuse=1,two_sided=1,bounced=1" };
@@ -174,12 +173,12 @@ static double square_corner(double c)
     const double s = sqrt(1 - c * c);
     return (acos(c) - 3 * c * s + 2 * c * c * acos(c)) / pi;
 }
-/* The bounce of a wall that sends 1, by the paper's patches without clamping: a sum over directions. */
+/* Returns the bounce of a wall that sends 1, by the paper's patches without clamping: a sum over directions. */
 static double patch_corner(double c) { return c < 0.2 ? 0.5523 : c < 0.4 ? 0.19207 : 0.050944; }
 
 enum { DARK, SENDS, BACK /* the wall's normals point away from the floor */ };
 
-/* The corner's G-buffer. The floor sends nothing. */
+/* Makes the corner's G-buffer. The floor sends nothing. */
 static int corner(kit_gbuffer *g, double c, int wall)
 {
     double plane[2][4];
@@ -197,8 +196,8 @@ static int corner(kit_gbuffer *g, double c, int wall)
     return ok;
 }
 
-/* The dark share of a white sky, and the light of the wall, before an endless wall and before slabs. Few samples miss
-   an expected share of the free directions, as an occluder between two samples lies, on the mean, between their
+/* Checks the dark share of a white sky, and the light of the wall, before an endless wall and before slabs. Few samples
+   miss an expected share of the free directions, as an occluder between two samples lies, on the mean, between their
    distances. Areas of patches suit uniform directions. Ours, at midpoints of strata, miss some light near the horizon:
    1/sqrt(N) a third. */
 static void corners_are_closed_forms(void)
@@ -213,7 +212,7 @@ static void corners_are_closed_forms(void)
         const char *method, *set;
         double (*falls)(double c);
         int steps, wall, phases;
-        double low, high;                      /* limits of the error; of SENDS, as a share of the truth */
+        double low, high;                      /* limits of the error; in rows of SENDS, as a share of the truth */
         double c, thickness;                   /* of a slab */
         int layers, ends;
     } row[] = {
@@ -297,7 +296,7 @@ static void corners_are_closed_forms(void)
     kit_image_free(&white.env);
 }
 
-/* Refuses settings that harmonics cannot carry, a frame's own radiance, and storage without room for the bounce. */
+/* Checks refusals of settings beyond harmonics, of a frame's own radiance, of storage without a bounce. */
 static void settings_are_refused(void)
 {
     static const struct { const char *set; int wall; const char *says[2]; } row[] = {
@@ -330,8 +329,8 @@ static void settings_are_refused(void)
 
 /* ---- lights ------------------------------------------------------------------------------------------------------ */
 
-/* The floor y = 0, a wall from z = -1 to -1.1, one light before and one behind the wall, both nearer than the radius.
-   The floor before the wall is compared. */
+/* Checks the floor y = 0 before a wall from z = -1 to -1.1, with one light before and one behind the wall, both nearer
+   than the radius. */
 static void segments_end_at_lights(void)
 {
     static const box wall = { { -3, 0, -1.1f }, { 3, 1.5f, -1 } };
@@ -372,8 +371,8 @@ static void segments_end_at_lights(void)
 
 /* ---- shadow maps ------------------------------------------------------------------------------------------------- */
 
-/* A sun shines down -z on a plane that is tilted by this angle, half to the right and half up, so that it slopes along
-   the diagonal of the map's texels. */
+/* Checks a sun that shines down -z on a plane that is tilted by this angle, half to the right and half up, so that it
+   slopes along the diagonal of the map's texels. */
 static void planes_do_not_shadow_themselves(void)
 {
     static const double tilts[] = { 60, 70, 80 };
@@ -388,7 +387,7 @@ static void planes_do_not_shadow_themselves(void)
         kit_gbuffer g;
         kit_image out;
         if (!TRY(kit_scene_load(&scene, "plane", 0, &err))) return;
-        for (size_t i = 0; i < 3 * scene.mesh.triangles; ++i) {     /* moves the plane y = 0 there */
+        for (size_t i = 0; i < 3 * scene.mesh.triangles; ++i) {     /* moves the vertices of the plane y = 0 */
             float *p = scene.mesh.position + 3 * i, *m = scene.mesh.normal + 3 * i;
             const double x = (double)p[0], z = (double)p[2];
             for (int j = 0; j < 3; ++j) { p[j] = (float)(0.02 * (x * u[j] + z * v[j])); m[j] = (float)n[j]; }
@@ -414,8 +413,7 @@ static void planes_do_not_shadow_themselves(void)
     CHECK(!wrong && seen > 3 * W * H, "%d pixels of a bare plane, of %d, are in shadow or wrong", wrong, seen);
 }
 
-/* The distance from each pixel's surface to the first occluder toward a sun; 0: no occluder, -1: no surface. To be
-   freed. */
+/* Returns the distance from each pixel's surface to a sun's first occluder; 0: none, -1: no surface. To be freed. */
 static float *blockers_new(const kit_scene *scene, const kit_light *sun)
 {
     const int width = scene->camera.width, height = scene->camera.height;
@@ -442,9 +440,9 @@ static float *blockers_new(const kit_scene *scene, const kit_light *sun)
     return distance;
 }
 
-/* A sun's maps, with and without filling, against rays toward the sun. COVERED: over a hundred shapes to the far end of
-   the ground; far ones still get their shadows. FILLED, pebbles: the maps' bias loses contact shadows, and filling
-   brings a third back. SPARED: coarse maps, and creases a pixel wide: filling hardly adds a wrong shadow. */
+/* Checks a sun's maps, with and without filling, against rays toward the sun. COVERED: over a hundred shapes to the far
+   end of the ground; far ones still get their shadows. FILLED, pebbles: the maps' bias loses contact shadows, and
+   filling brings a third back. SPARED: coarse maps, and creases a pixel wide: filling hardly adds a wrong shadow. */
 static void suns_shadow_what_they_should(void)
 {
     enum { COVERED, FILLED, SPARED };
@@ -487,7 +485,7 @@ static void suns_shadow_what_they_should(void)
     }
 }
 
-/* In a closed box direct light is the truth at each pixel, and virtual lights add the bounce from beyond the radius. */
+/* Checks that in a closed box direct light is exact, and virtual lights add the bounce from beyond the radius. */
 static void point_light_in_a_box(void)
 {
     enum { MAP, FILL, VIRTUAL, BOTH, NEAR_ALONE, WAYS };
@@ -524,7 +522,7 @@ static void point_light_in_a_box(void)
     strike(&s);
 }
 
-/* With a margin the picture equals the middle of a larger picture, bit by bit, and passes draw only the picture. */
+/* Checks that a picture with a margin is the middle of a larger one, bit by bit, and nothing else is drawn. */
 static void margins(void)
 {
     static const struct { const char *method, *set; int rim; } rows[] = {
@@ -564,7 +562,7 @@ static void margins(void)
                               + (y + expected) * whole.width + expected, 67 * sizeof(float)) != 0;
         CHECK(!off, "%s %s: %d rows are not those of a larger picture", rows[r].method, rows[r].set, off);
         const kit_pass *p =
-            &run.pass[run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS]; /* thickness is of all that is seen */
+            &run.pass[run.pass[0].desc.pass == SSGI_GL_PASS_THICKNESS]; /* thickness is measured on all that is seen */
         const int half = p->desc.gather.resolution ? 2 : 1, drawn_columns = half * p->box[2];
         CHECK(rows[r].rim < 0 ? !p->box[2] : abs(drawn_columns - 67 - 2 * rows[r].rim) < half, "%s %s: its first pass "
               "draws %d columns", rows[r].method, rows[r].set, drawn_columns);

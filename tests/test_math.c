@@ -9,7 +9,7 @@
 
 void arguments_refused(void); /* in arguments.c */
 
-/* Keeps the largest error so far. NaN counts as infinite. */
+/* Raises *worst to an error that is larger. NaN counts as infinite. */
 static void grow(double *worst, double error)
 {
     error = fabs(error);
@@ -52,7 +52,7 @@ static layout layout_at(int i, double n, double f)
     return all[i];
 }
 
-/* off-centre; every second layout has y down; every third is scaled as a whole */
+/* Makes a layout's projection: off-centre; every second layout has y down; every third is scaled as a whole */
 static void matrix(float m[16], const layout *l, int i)
 {
     const float c = i % 3 ? 1.0f : 2.0f, high = i & 1 ? -2.1f : 2.1f;
@@ -67,7 +67,7 @@ static void matrix(float m[16], const layout *l, int i)
     m[8] = m[9] = m[11] = 0;
 }
 
-/* Normalised device coordinates of a point by the matrix, in double. */
+/* Writes normalised device coordinates of a point by the matrix, in double. */
 static void by_matrix(double ndc[3], const float m[16], const float p[3])
 {
     double w = (double)m[15];
@@ -81,7 +81,7 @@ static void by_matrix(double ndc[3], const float m[16], const float p[3])
 
 static void views(void)
 {
-    static const double eyes[] = { 0, 1e5, -1, -50 },     /* by how much farther away orthographic eyes stand */
+    static const double eyes[] = { 0, 1e5, -1, -50 },     /* how much farther away orthographic eyes stand */
                         units[] = { 1, 1e-6, 1e-17, 1e9 }; /* of others */
     for (int e = 0; e < 4 * LAYOUTS; ++e) {
         const int i = e / 4, flat = layout_at(i, 1, 100).ortho;
@@ -137,7 +137,7 @@ static void views(void)
     }
 }
 
-/* A rigid matrix of camera axes: z is given, and the turn about it is random. */
+/* Makes a rigid matrix of camera axes: z is given, and the turn about it is random. */
 static void rigid(float m[16], const float z[3])
 {
     float axis[3][3], aside[3];
@@ -160,7 +160,7 @@ static void through(const float m[16], const float p[3], float w, float out[3])
     for (int i = 0; i < 3; ++i) out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i] * w;
 }
 
-/* Left-handed: only z changes. Oblique: depth comes back from a point that the matrix projects in double. */
+/* Checks left-handed projections, where only z changes, and oblique ones, by points projected in double. */
 static void engines_views(void)
 {
     for (int i = 0; i < LAYOUTS; ++i) {
@@ -202,8 +202,8 @@ static void engines_views(void)
     }
 }
 
-/* An extra camera whose eye is so many radii from its centre, in any direction or along the main camera's up. A world
-   with z mirrored gives a mirrored camera. */
+/* Checks an extra camera whose eye is so many radii from its centre, in any direction or along the main camera's up. A
+   world with z mirrored gives a mirrored camera. */
 static void extra_camera_at(int t)
 {
     float z[3], main_view[16], view[16], mirrored[16], clip[16], centre[3], offset[3], p[3], up[3], pixel[3];
@@ -215,7 +215,7 @@ static void extra_camera_at(int t)
     direction(z);
     rigid(main_view, z);
     for (int k = 0; k < 3; ++k) up[k] = main_view[4 * k + 1];
-    direction(z);                                        /* from the centre to the new eye */
+    direction(z);                                        /* a direction from the centre to the new eye */
     if (t % 10 == 0) memcpy(z, up, sizeof z);
     for (int k = 0; k < 3; ++k) offset[k] = t_uniform(-3, 3);
     /* the eye is main eye + radius * displacement; the centre follows from z and the distance */
@@ -283,7 +283,7 @@ static void extra_cameras(void)
         ssgi_extra_camera(view, clip, main_view, origin, 1, d, NULL);
         const double side = angles[i][0] * PI / 180, high = angles[i][1] * PI / 180,
                      turned[3] = { 2 * sin(side) * cos(high), 2 * sin(high), 2 * cos(side) * cos(high) };
-        for (int k = 0; k < 3; ++k)                      /* minus the translation along the axes: the eye */
+        for (int k = 0; k < 3; ++k)                      /* the eye: minus the translation along the axes */
             CHECK(fabs(-dot(view + 4 * k, view + 12) - turned[k]) < 2e-5, "default %d: eye's %d is %g", i, k,
                   -dot(view + 4 * k, view + 12));
     }
@@ -323,7 +323,7 @@ static void kernels(void)
     }
 }
 
-/* The other kinds have the same points of the square and the same lengths, with heights whose sums are exact. */
+/* Checks that other kinds have the same points of the square and lengths, with heights of exact sums. */
 static void spread(void)
 {
     static float k[4 * SETS * SAMPLES], d[4 * SETS * SAMPLES];
@@ -395,8 +395,7 @@ static void tiles(void)
     }
 }
 
-/* The largest difference between a box' share of the points and its area, over the boxes at the origin that points
-   span. */
+/* Returns the largest difference between a box' share of the points and its area, for boxes at the origin. */
 static double discrepancy(double (*p)[2], int n)
 {
     double worst = 0;
@@ -452,7 +451,7 @@ static void evenness(void)
 enum { SKY = 64, CUBE = 24, MOST = SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS };
 static const float axis_z[3] = { 0, 0, 1 };
 
-/* The value of a channel in a direction. factor: of each band, NULL: 1. */
+/* Returns the value of a channel in a direction. factor: of each band, NULL: 1. */
 static double value(const float *coefficients, int channels, int bands, const float d[3], const double *factor)
 {
     float basis[MOST];
@@ -464,7 +463,7 @@ static double value(const float *coefficients, int channels, int bands, const fl
     return sum;
 }
 
-/* 2 pi times the integrals of z P_l(z) over [0,1]. */
+/* A table by band l: 2 pi times the integral of z P_l(z) over [0,1]. */
 static const double cosine[SSGI_SH_MAX_BANDS] = { PI, 2 * PI / 3, PI / 4, 0, -PI / 24, 0 };
 
 /* The Legendre polynomial P_l. */
@@ -479,8 +478,7 @@ static double legendre(int l, double c)
     return now;
 }
 
-/* The direction of a pixel as in OpenEXR: latitude falls from pi/2, longitude from pi; +z central. Returns a solid
-   angle. */
+/* Writes a pixel's direction as in OpenEXR: latitude falls from pi/2, longitude from pi. Returns a solid angle. */
 static double equirect(float d[3], int i, int width, int height)
 {
     const double lat = PI * (0.5 - (i / width + 0.5) / height), lon = PI - 2 * PI * (i % width + 0.5) / width;
@@ -490,7 +488,7 @@ static double equirect(float d[3], int i, int width, int height)
     return (sin(lat + PI / 2 / height) - sin(lat - PI / 2 / height)) * 2 * PI / width;
 }
 
-/* An environment of bands 0..2 by random coefficients; band 0 keeps it above 0. */
+/* Makes an environment of bands 0..2 by random coefficients; band 0 keeps it above 0. */
 static void smooth(float *rgb, float coefficients[27], int width, int height)
 {
     float d[3];
@@ -501,7 +499,7 @@ static void smooth(float *rgb, float coefficients[27], int width, int height)
     }
 }
 
-/* The table's functions, and for the bands that it leaves out the addition theorem. */
+/* Checks the table's functions, and for the bands that it leaves out the addition theorem. */
 static void harmonics(void)
 {
     static const double constant[16] = { 0.28209479177387814, 0.48860251190291992, 0.48860251190291992,
@@ -573,14 +571,14 @@ static void projections(void)
 
 /* ---- >>sh: windows, lights, rotation, products ------------------------------------------------------------------- */
 
-/* The largest light that a mask takes from any surface if it passes only directions in which the series is below 0. */
+/* Returns the most light that a mask takes from any surface by passing only where the series is below 0. */
 static double worst_mask(const float *c, int bands)
 {
     enum { PANELS = 128, TURNS = 180 };
     double worst = 0;
     for (int degrees = 0; degrees <= 180; degrees += 2) {
         double taken = 0;
-        for (int row = 0; row < PANELS; ++row) {         /* middles of heights and of azimuths */
+        for (int row = 0; row < PANELS; ++row) {         /* at middles of intervals of height and azimuth */
             const double z = 2 * (row + 0.5) / PANELS - 1, r = sqrt(1 - z * z);
             const float d[3] = { (float)r, 0, (float)z };
             const double negative = fmin(value(c, 3, bands, d, NULL), 0);
@@ -649,7 +647,7 @@ static void windows(void)
     CHECK(w[0] == 1.0f && w[5] == 1.0f && w[6] != 1.0f, "a window that there is not");
 }
 
-/* A band's factor of a cap is the mean of its Legendre polynomial over the cap. */
+/* Checks that a band's factor of a cap is the mean of its Legendre polynomial over the cap. */
 static void lights(void)
 {
     static const float sines[] = { 0, 1e-6f, 0.01f, 0.3f, 0.8f, 1 }, red[3] = { 3, 0.5f, -1 };
@@ -720,7 +718,7 @@ static void rotations(void)
 
 /* ---- >>environment ----------------------------------------------------------------------------------------------- */
 
-/* The direction of a texel of an octahedral map. */
+/* Writes the direction of a texel's centre in an octahedral map. */
 static void map_direction(float d[3], int size, int at)
 {
     const float e[2] = { ((float)(at % size) + 0.5f) / (float)size * 2 - 1,
@@ -750,7 +748,7 @@ static void octahedral(void)
               (double)back[0], (double)back[1], (double)back[2]);
         e[0] = t_uniform(-1, 1);
         e[1] = t_uniform(-1, 1);
-        ssgi_octahedral_decode(back, e);                 /* the GLSL function, word for word */
+        ssgi_octahedral_decode(back, e);                 /* decodes by the GLSL function, word for word */
         float n[3] = { e[0], e[1], 1 - fabsf(e[0]) - fabsf(e[1]) };
         const float fold = fmaxf(-n[2], 0);
         for (int i = 0; i < 2; ++i) n[i] += n[i] >= 0 ? -fold : fold;
@@ -799,7 +797,7 @@ static void environment_maps(void)
               (double)given[0] / sqrt(4 * PI));
         t_note("lobe of %g sr: worst error %.2g of the mean", (double)angles[k], worst);
     }
-    /* negative, infinite and NaN values count as 0 in each function */
+    /* negative, infinite and NaN values must count as 0 in each function */
     ssgi_sun suns[2][5];
     float sh[2][27];
     const float kept = rgb[30000];
@@ -818,8 +816,8 @@ static void environment_maps(void)
           "an infinite, NaN or negative value does not count as 0");
 }
 
-/* A sky of 1 with a disc of 101, which has a radius of 6 degrees and is 40 degrees up: inside of the cones, across
-   their rims and outside. */
+/* Checks a sky of 1 with a disc of 101, which has a radius of 6 degrees and is 40 degrees up: inside of the cones,
+   across their rims and outside. */
 static void environment_cones(void)
 {
     enum { W = 480, H = 240, SIDE = 32, PARTS = 400 };
@@ -849,7 +847,7 @@ static void environment_cones(void)
         for (int i = 0; i < SIDE * SIDE; ++i) {
             map_direction(d, SIDE, i);
             const double towards = dot(d, sun), angle = acos(fmin(fmax(towards, -1), 1)), is = (double)map[3 * i];
-            double seen = 0;                             /* the disc through the ramp: 12 rings of 24 parts */
+            double seen = 0;                             /* what the ramp passes of the disc: 12 rings of 24 parts */
             for (int part = 0; part < 12 * 24; ++part) {
                 const double r = radius * sqrt((part / 24 + 0.5) / 12), turn = 2 * PI * (part % 24 + 0.5) / 24,
                              at = cos(r) * cos(angle) + sin(r) * sin(angle) * cos(turn),
@@ -870,7 +868,7 @@ static void environment_cones(void)
     }
 }
 
-/* Of an image's suns: the sum of irradiances, the least and most luminance, how many are lit. Directions are unit. */
+/* Sums of an image's suns: of irradiances, the least and most luminance, how many are lit. Directions are unit. */
 typedef struct summed { double sum[3], least, most; int lit; } summed;
 
 static summed cut(ssgi_sun *suns, int count, const float *rgb, int width, int height)
@@ -896,7 +894,7 @@ static void sunlight(void)
     static float rgb[3 * 600 * 150];
     static ssgi_sun suns[1024];
     float d[3];
-    for (int wide = 0; wide < 2; ++wide) {               /* above 256 a side is cut in two steps */
+    for (int wide = 0; wide < 2; ++wide) {               /* 1: an image above 256 a side, which is cut in two steps */
         const int width = wide ? 600 : 64, height = wide ? 150 : 32;
         double total[3] = { 0, 0, 0 };
         for (int i = 0; i < 3 * width * height; ++i) {
@@ -913,7 +911,7 @@ static void sunlight(void)
                       height, s.least, s.most);
         }
     }
-    for (int t = 0; t < 60; ++t) {                       /* one lit texel gives one sun, exactly there */
+    for (int t = 0; t < 60; ++t) {                       /* one lit texel must give one sun, exactly there */
         const int width = t % 2 ? 500 : 32, height = 20, at = (int)t_uniform(0, (float)(width * height)),
                   count = 1 + t % 20;
         const double energy = 3 * equirect(d, at, width, height);
@@ -935,14 +933,14 @@ static void sunlight(void)
           six.sum[0]);
 }
 
-/* The median cut of a white sky by hand. A region's width is its longitudes times the sine at its middle. The sphere,
-   360 by 180 degrees, is cut around, into halves; these, 180 by 180, at the horizon; quarters of 127 by 90 around;
-   those of 64 by 90 at cosine 1/2. Then upper parts, 45 by 60, are cut at cosine 3/4, lower ones, 87 by 30, around. */
+/* Checks the median cut of a white sky by hand. A region's width is its longitudes times the sine at its middle. The
+   sphere, 360 by 180 degrees, is cut around, into halves; these, 180 by 180, at the horizon; quarters of 127 by 90
+   around; those of 64 by 90 at cosine 1/2. Then upper parts, 45 by 60, are cut at 3/4, lower ones, 87 by 30, around. */
 static void white_sky(void)
 {
     static const struct { int around; double top, bottom;
     } zone[] = { { 4, 1, 0.75 }, { 4, 0.75, 0.5 }, { 8, 0.5, 0 } };
-    enum { HEIGHT = 300, COUNT = 32 }; /* the cuts are near rows: 69.02 and 100 */
+    enum { HEIGHT = 300, COUNT = 32 }; /* cuts fall near rows: at 69.02 and 100 */
     static float rgb[3 * 600 * HEIGHT];
     static ssgi_sun suns[COUNT];
     for (int i = 0; i < 3 * 600 * HEIGHT; ++i) rgb[i] = 1;
@@ -1009,8 +1007,8 @@ static void vpls(void)
     }
 }
 
-/* The rows of a map are the strata of as many lights. In them lights stand in the order of the radical inverse, so that
-   each column has one, too. The first and the last pixel are halves, so that no light is where two pixels meet. */
+/* Checks that a map's rows are the strata of as many lights. In them lights stand in the order of the radical inverse,
+   so that each column has one. The first and last pixel are halves, so that no light is where two pixels meet. */
 static void vpl_strata(void)
 {
     enum { SIDE = 16 };
@@ -1033,7 +1031,7 @@ static void vpl_strata(void)
     }
 }
 
-/* A sky of two colours and two suns: in any bands, the harmonics and the residual add up to the light of an open
+/* Checks a sky of two colours and two suns: in any bands, the harmonics and the residual add up to the light of an open
    surface. */
 static void lacking(void)
 {
@@ -1044,7 +1042,7 @@ static void lacking(void)
         const int bands = 1 + t / 3, count = t % 3;
         float map[3 * SIDE * SIDE], coefficients[3 * MOST] = { 0 }, basis[MOST], n[3];
         double want[3 * SIDE * SIDE];
-        for (int c = 0; c < 3; ++c) {                    /* the hemisphere light, as in the header of ssgi_sh_light */
+        for (int c = 0; c < 3; ++c) {                    /* the hemisphere light of the header of ssgi_sh_light */
             coefficients[c] = sqrtf((float)PI) * (above[c] + below[c]);
             ssgi_sh_basis(basis, 2, up);
             for (int i = 1; i < 4 && bands > 1; ++i)
@@ -1070,7 +1068,7 @@ static void lacking(void)
     }
 }
 
-/* Irradiance from a rectangle of radiance 1 at a point before it: the closed form of its form factor. */
+/* Returns the irradiance from a rectangle of radiance 1 at a point before it: the closed form of its form factor. */
 static double seen_from(const double p[3], const double half[2])
 {
     double sum = 0;
@@ -1082,7 +1080,7 @@ static double seen_from(const double p[3], const double half[2])
     return sum;
 }
 
-/* The largest relative error of an area's point lights, at side x side points 1 above it, to wide and high. */
+/* Returns the largest relative error of an area's point lights, at side x side points 1 above it, to wide and high. */
 static double off_by(const ssgi_vpl *light, int count, const double half[2], int side, double wide, double high)
 {
     double worst = 0;
@@ -1126,7 +1124,7 @@ static void areas(void)
                   worst);
             if (count == 64) t_note("64 lights%s: irradiance at most %.4f off", halves ? ", triangles" : "", worst);
         }
-    for (int k = 0; k < 2; ++k) {              /* PAPERS.md's figures, at a height of half the longer side */
+    for (int k = 0; k < 2; ++k) {              /* PAPERS.md's figures are at a height of half the longer side */
         const float side[3] = { 0, k ? 2 : 1, 0 };
         CHECK(ssgi_vpl_area(light, 64, k ? square : corner, a, side, 0, radiance, NULL) == SSGI_OK, "refused");
         const double worst = off_by(light, 64, half[k], 81, 2, 2);
@@ -1136,7 +1134,7 @@ static void areas(void)
 
 /* ---- >>bias ------------------------------------------------------------------------------------------------------ */
 
-/* [HSAO08 4.1.1; SSDO09 5]: the papers' and the references' numbers; and input that is no number. */
+/* Checks biases [HSAO08 4.1.1; SSDO09 5] by the papers' and references' numbers; and input that is none. */
 static void biases(void)
 {
     static const float m[16] = { 0.9742786f, 0, 0, 0, 0, 1.7320508f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 };
@@ -1156,7 +1154,7 @@ static void biases(void)
     CHECK(fabs(offset - 10 / (sqrt(3) * 720)) < 1e-8 && fabs(offset - 0.00802) < 2e-6
               && ssgi_normal_offset(&v, 3) == ssgi_pixel_footprint(&v, 3) / 2,
           "eq. 13: %.9g", offset);
-    for (float z = 0.2f; z < 1e4f; z *= 3)     /* [HSAO08 eq. 13]: z / (f res), of the axis with wider pixels */
+    for (float z = 0.2f; z < 1e4f; z *= 3)     /* [HSAO08 eq. 13]: z / (f res), on the axis of wider pixels */
         for (int ortho = 0; ortho < 2; ++ortho) {
             ssgi_view other;
             ssgi_view_from_projection(&other, wide[ortho], SSGI_CLIP_GL, 1000, 500, NULL);
@@ -1201,7 +1199,7 @@ static void biases(void)
     }
 }
 
-/* n x n hills a spacing apart, of 8 x 8 cells each, turned so that `up` is (0.6, 0, 0.8). The valleys are level. */
+/* Makes n x n hills, of 8 x 8 cells each, turned so that `up` is (0.6, 0, 0.8). The valleys are level. */
 enum { HILLS = 5, CELLS = 8 * HILLS };
 
 static void hill(float p[3], int x, int y, double spacing)
@@ -1231,8 +1229,8 @@ static void radii(void)
         index[i] = (uint32_t)(x * (CELLS + 1) + y);
         memcpy(soup[i], vertex[x][y], sizeof soup[i]);
     }
-    soup[SOUP][1] = NAN;                       /* one more triangle, which is invalid */
-    for (int i = 0; i < 144; ++i) {            /* a cube of 2 x 2 quads a side; the same on the sphere */
+    soup[SOUP][1] = NAN;                       /* one more triangle, with a NaN */
+    for (int i = 0; i < 144; ++i) {            /* a cube of 2 x 2 quads on each side; the same on the sphere */
         float *p = cube[i];
         const int side = i / 24;
         p[side / 2] = side % 2 ? 1 : -1;

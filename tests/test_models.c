@@ -10,7 +10,7 @@
 
 /* ---- PNG --------------------------------------------------------------------------------------------------------- */
 
-/* Values out of range and NaN; sRGB, in which 0.5 is 188 of 255; colours in the order of their names. */
+/* Checks values out of range and NaN; sRGB, in which 0.5 is 188 of 255; colours in the order of their names. */
 static void png(void)
 {
     static const float values[6] = { -1, 0, 0.5f, 1, INFINITY, NAN };
@@ -91,8 +91,8 @@ static double area_of(const kit_scene *s)
     return all;
 }
 
-/* One slanted triangle in three nodes. Scaled by 2, 3, 4, its normal is (0, -0.8, 0.6). Mirrored in x, its corners
-   change their order, without and with normals in the file. */
+/* Checks one slanted triangle in three nodes. Scaled by 2, 3, 4, its normal is (0, -0.8, 0.6). Mirrored in x, its
+   corners change their order, without and with normals in the file. */
 static void nodes_of_glb(void)
 {
     static const float corner[3][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 1 } };
@@ -141,8 +141,8 @@ static void nodes_of_glb(void)
 
 static void keep_png(void *to, void *data, int size) { add_bytes(to, data, (size_t)size); }
 
-/* A square card of side 4, whose texture coordinates go from 0 to turns, perhaps transformed. The texture is side x
-   side; a texel is opaque if there(x, y). */
+/* Writes a square card of side 4, whose texture coordinates go from 0 to turns, perhaps transformed. The texture is
+   side x side; a texel is opaque if there(x, y). */
 static void put_card(const char *mode, const char *transform, double turns, int wrap, int side,
                      int (*there)(int x, int y))
 {
@@ -182,7 +182,7 @@ static void put_card(const char *mode, const char *transform, double turns, int 
 
 static int leaf(int x, int y) { return (0x137f >> (4 * y + x) & 1) != 0; } /* 10 of 16, unlike any mirror image */
 
-/* How many triangles, which face along z, cover a point. */
+/* Returns how many triangles, which face along z, cover a point. */
 static int covers(const kit_mesh *m, double x, double y)
 {
     int times = 0;
@@ -199,7 +199,7 @@ static int covers(const kit_mesh *m, double x, double y)
     return times;
 }
 
-/* A card keeps the parts whose texels are opaque, if its texture is repeated, mirrored or clamped at its edge. */
+/* Checks that a card keeps the opaque parts, if its texture is repeated, mirrored or clamped at its edge. */
 static void cards(void)
 {
     enum { REPEAT = 10497, MIRROR = 33648, CLAMP = 33071 };
@@ -277,7 +277,7 @@ static void ply(void)
     "\"buffers\":[{\"byteLength\":" bytes ",\"uri\":\"" uri "\"}]}"
 #define CORNERS_64 "data:application/octet-stream;base64,AACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAA"
 
-/* The largest distance of a coordinate from a place or from that place + size, whichever is nearer. */
+/* Returns the largest distance of a coordinate from a place or from that place + size, whichever is nearer. */
 static double corners_off(const kit_mesh *m, const double at[3], double size)
 {
     double worst = 0;
@@ -288,8 +288,8 @@ static double corners_off(const kit_mesh *m, const double at[3], double size)
     return worst;
 }
 
-/* A model far from 0 is drawn near 0: with corners at 1 on the axes, placed by nodes that need doubles, or by an OBJ's
-   text. The note says where it lies, and that numbers are coarse if floats hold them: 1.0 apart so far from 0. */
+/* Checks that a model far from 0 is drawn near 0: with corners at 1 on the axes, placed by nodes that need doubles, or
+   by an OBJ's text. The note says where, and that numbers are coarse if floats hold them: 1.0 apart so far off. */
 static void far_away(void)
 {
 #define EAST 13487434.75
@@ -352,7 +352,7 @@ static void far_away(void)
     }
 }
 
-/* A morph adds its own corners as often as its weight says. The node's weights replace the mesh's. */
+/* Checks that a morph adds its own corners as often as its weight says. The node's weights replace the mesh's. */
 static void morphs(void)
 {
 #define MORPHED(weights) "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0," \
@@ -378,7 +378,7 @@ static void morphs(void)
     }
 }
 
-/* A refusal is one line with the file, its format and the fault. */
+/* Checks that a refusal is one line with the file, its format and the fault. */
 static void refused(void)
 {
     static const struct {
@@ -419,7 +419,7 @@ static void refused(void)
     }
 }
 
-/* Z is up, and the front looks along y. */
+/* Checks that a model stands upright: z is up, and the front looks along y. */
 static void upright(void)
 {
     static const char text[] =
@@ -464,7 +464,7 @@ static void no_scene(void)
     for (int i = 0; (name = kit_scene_builtin(i, NULL)) != NULL; ++i)
         CHECK(strstr(err.text, name) != NULL, "%s is not named: \"%s\"", name, err.text);
     if (!CHECK(!mkfifo(in_folder("pipe"), 0600), "no pipe can be made")) return;
-    alarm(60);                             /* waiting for a writer would never end */
+    alarm(60);                             /* ends the test: waiting for a writer never would */
     CHECK(kit_scene_load(&scene, in_folder("pipe"), 0, &err) == -1 && strstr(err.text, "not a regular file"), "\"%s\"",
           err.text);
     alarm(0);

@@ -12,7 +12,7 @@ static kit_error err;
 
 enum { W = 160, H = 90, POINTS = 64 * 64 };
 
-/* A turn about an axis, a uniform scale and a shift. */
+/* Makes a matrix: a turn about an axis, a uniform scale and a shift. */
 static void placed(float m[16], float angle, float scale, float x, float y, float z)
 {
     const float u[3] = { 0.48f, 0.64f, 0.6f }, c = cosf(angle), s = sinf(angle);
@@ -84,7 +84,7 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
     return ok;
 }
 
-/* By the closed form and by a table. x: the cap's share of a half space; both grids, and beyond the table's ends. */
+/* Checks caps by the closed form and a table. x: the cap's share of a half space; both grids, and beyond the table. */
 static void caps(void)
 {
     static float at[4 * POINTS], out[POINTS], table[48 * 48];
@@ -116,7 +116,7 @@ static int scene_of(kit_scene *scene, kit_gbuffer *g, const char *name, const ki
     return see(scene, g, name, NULL, 0, camera, W, H);
 }
 
-/* The occlusion of a point with a normal by a field that is placed elsewhere. */
+/* Returns the occlusion of a point with a normal by a field that is placed elsewhere. */
 static double occluded(const ssgi_field *f, const ssgi_field_limits *l, const float to[16], const float p[3],
                        const float n[3])
 {
@@ -130,7 +130,7 @@ static double occluded(const ssgi_field *f, const ssgi_field_limits *l, const fl
     return (double)ssgi_field_occlusion(f, l, q, turned);
 }
 
-/* The field of an object of a built-in scene. */
+/* Returns the field of an object of a built-in scene. */
 static const ssgi_field *field_of(const kit_scene *scene, int object, int resolution)
 {
     const ssgi_field_desc d = { .resolution = resolution, .radii = 8, .rays = 64 };
@@ -146,7 +146,7 @@ static void same_as_on_the_cpu(void)
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
     for (int m = 0; m < 5; ++m) {
         const ssgi_field *f[2] = { field_of(&scene, 3 + m % 4, 8), field_of(&scene, 12, 5) };
-        ssgi_field full;                       /* its hull ends at its reach */
+        ssgi_field full;                       /* a field whose hull ends at its reach */
         const ssgi_gl_desc d = { .pass = SSGI_GL_PASS_AOF };
         ssgi_gl_occluder occluder[2];
         GLuint textures[2];
@@ -192,7 +192,7 @@ static void same_as_on_the_cpu(void)
         }
         CHECK(worst < 2e-5 && sum < 0.95, "%d: off by %.2g, mean %.3f", m, worst, sum);
         t_note("off by %.1e at most", worst);
-        if (!m) {                              /* leaves out the occluder that is the object itself */
+        if (!m) {                              /* the occluder that is the object itself is left out */
             if (!evaluated(out, &d,
                            "abs(ssgi_field_visibility(1, 5, a.xyz, b.xyz) - 1.0) + abs(ssgi_field_visibility(2, 6, "
                            "a.xyz, b.xyz) - ssgi_field_visibility(1, 0, a.xyz, b.xyz))",
@@ -222,8 +222,8 @@ static int drawn_aof(kit_image *out, kit_gbuffer *g, const kit_scene *scene, con
     return ok;
 }
 
-/* Every pixel of the plane against the closed form of a ball that rests on it. The ball and the background stay open.
-   By a table the picture keeps the error that the table's size allows. */
+/* Checks every pixel of the plane against the closed form of a ball that rests on it. The ball and the background stay
+   open. By a table the picture keeps the error that the table's size allows. */
 static void ball_on_a_plane(void)
 {
     static const struct { const char *set; double most; } tables[] = { { "cap_table=128", 6.6e-4 },
@@ -242,7 +242,7 @@ static void ball_on_a_plane(void)
         if (z > 0) kit_camera_point(&g.camera, i % W, i / W, (double)z, p);
         const double rho2 = z > 0 ? (double)(p[0] * p[0] + p[2] * p[2]) : 0, dark = 1 - (double)closed.data[i];
         if (!(z > 0) || p[1] > 1e-3f) own += closed.data[i] < 1;
-        else if (rho2 < 25) {              /* beyond, it follows the ramp */
+        else if (rho2 < 25) {              /* beyond the measured part occlusion follows the ramp */
             off = fmax(off, fabs(dark - pow(1 + rho2, -1.5)));
             sum += dark;
             ++plane;
@@ -265,8 +265,8 @@ static void ball_on_a_plane(void)
     kit_scene_free(&scene);
 }
 
-/* A draw must cover each occluder's sphere of influence: seen from outside, from within, beside the picture and behind
-   the eye. Compared with all occluders at every pixel, on the CPU. */
+/* Checks that a draw covers each occluder's sphere of influence: seen from outside, from within, beside the picture and
+   behind the eye. Compared with all occluders at every pixel, on the CPU. */
 static void what_a_draw_covers(void)
 {
     static const struct { float eye[3], target[3], fovy, height; int depth;
@@ -347,7 +347,7 @@ static void what_a_draw_covers(void)
     t_note("five cameras, off by %.1e at most", worst);
 }
 
-/* The occlusion by two occluders lies between the largest single one and their sum. Without occluders all is open. */
+/* Checks that two occluders' occlusion is between the larger single one and the sum. Without any all is open. */
 static void combination(void)
 {
     kit_scene scene;
@@ -380,7 +380,7 @@ static void combination(void)
     kit_scene_free(&scene);
 }
 
-/* The error against rays, over that of no occlusion. A coarse cube map and normals from depth raise it. */
+/* Checks the error against rays, over that of no occlusion. A coarse cube map and normals from depth raise it. */
 static void against_truth(void)
 {
     static const struct { const char *set; double share; } row[] = { { "rays=32", 0.16 },

@@ -26,7 +26,7 @@ static const struct {
                   "slices=1,samples=33,indirect=none,store=float,filtered=coefficients,resolution=full,blur=0" } };
 enum { METHODS = ROWS(methods), LIT = METHODS - 2 };
 
-/* Gives a run another G-buffer of any size, at the defaults, in uniform light. A new run would compile its programs. */
+/* Gives a run another G-buffer of any size, at the defaults, in uniform light, as a new run would compile anew. */
 static int fit(kit_run *run, kit_gbuffer *g, float radius)
 {
     static const float uniform[3] = { 3.5449077f, 3.5449077f, 3.5449077f };
@@ -51,8 +51,8 @@ static int fit(kit_run *run, kit_gbuffer *g, float radius)
 
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
-/* The exact occlusion of the march over a floor along x, up to an endless wall's face at c, seen from 45 degrees above,
-   with radius 1 [HSAO08 fig. 4]: along tangents at evenly spread azimuths, as corner_converges sets them. */
+/* Returns the march's exact occlusion over a floor along x, up to an endless wall's face at c, seen from 45 degrees
+   above, with radius 1 [HSAO08 fig. 4]: along tangents at evenly spread azimuths, as in corner_converges. */
 static double exact_march(double c, int steps, int hard, int spheres)
 {
     enum { AZIMUTHS = 512 };
@@ -74,8 +74,8 @@ static double exact_march(double c, int steps, int hard, int spheres)
     return sum / AZIMUTHS;
 }
 
-/* The march without jitter, against its closed forms. It is darker than the truth by a bound that falls with its steps.
-   The visible face is nearer than a ray's end, so spheres change nothing. */
+/* Checks the march without jitter against its closed forms. It is darker than the truth by a bound that falls with its
+   steps. The visible face is nearer than a ray's end, so spheres change nothing. */
 static void corner_converges(void)
 {
     static const double at[] = { 0.1, 0.25, 0.5, 0.75 };
@@ -101,7 +101,7 @@ static void corner_converges(void)
             "directions=32,normal_rays=0,blur=0,noise=texture,samples=%d,falloff=%s,growing_sphere=%d",
                  steps, hard ? "none" : "linear", row[m].spheres);
         if (!open_run(&run, &g[0], "hsao-march", set, 1, NULL, NULL)) return;
-        glBindTexture(GL_TEXTURE_2D, run.noise);           /* samples not jittered, 16 * 32 directions */
+        glBindTexture(GL_TEXTURE_2D, run.noise);           /* noise of 16 * 32 directions that jitters no samples */
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 16, 1, 0, GL_RGBA, GL_FLOAT, tile);
         for (int i = 0; i < 4; ++i) {
             const double exact = exact_march(at[i], steps, hard, row[m].spheres),
@@ -120,11 +120,11 @@ static void corner_converges(void)
 
 /* ---- the march's terms and layers: closed forms ----------------------------------------------------------------- */
 
-enum { PIT = 160, PIT_RADIUS = 60 };      /* in pixels: of the picture, of the radius */
+enum { PIT = 160, PIT_RADIUS = 60 };      /* in pixels: the picture's width, and the radius */
 static const double pit_lid = 0.6, pit_wall = 0.3;    /* in radii over the floor; pit_wall also from its centre */
 
-/* The floor at depth 4, seen straight down through the single pixel that a lid, 0.05 radii thick, leaves open; with
-   wall, solid matter around it. Up to three layers. */
+/* Makes the floor at depth 4, seen straight down through the single pixel that a lid, 0.05 radii thick, leaves open;
+   with wall, solid matter around it. Up to three layers. */
 static int pit(kit_gbuffer *g, int lid, int wall)
 {
     kit_camera camera = looking_along_z(PIT, PIT, 1);
@@ -149,7 +149,7 @@ static int pit(kit_gbuffer *g, int lid, int wall)
     return ok;
 }
 
-/* Occlusion at the picture's centre pixel, as a mean over phases. The frame's first row is the top. */
+/* Returns the occlusion at the picture's centre pixel, as a mean over phases. The frame's first row is the top. */
 static double at_centre(kit_run *run)
 {
     enum { PHASES = 16, X = PIT / 2, Y = PIT / 2 - 1 };
@@ -218,8 +218,8 @@ static void terms_of_the_march(void)
 
 /* ---- sizes, radii, garbage --------------------------------------------------------------------------------------- */
 
-/* How many pixels of any pass are not in [0,1]; of light and its coefficients, not within 2 sqrt(pi), the value of all
-   light; or not 1 at pixels without a surface. On a GPU the quotient of equal sums may be 1 and a rounding. */
+/* Returns how many pixels of any pass are not in [0,1]; of light and its coefficients, not within 2 sqrt(pi), the value
+   of all light; or not 1 at pixels without a surface. On a GPU the quotient of equal sums may be 1 and a rounding. */
 static int wrong(const kit_run *run, const float *nothing, int light)
 {
     int n = 0;
@@ -237,7 +237,7 @@ static int wrong(const kit_run *run, const float *nothing, int light)
     return n;
 }
 
-/* A G-buffer of textures with these values. */
+/* Makes a G-buffer of textures with these values. */
 static kit_gbuffer raw(const kit_camera *c, int linear, GLenum format, const float *depth, const float *normal)
 {
     kit_gbuffer g = { .width = c->width,
@@ -253,8 +253,8 @@ static kit_gbuffer raw(const kit_camera *c, int linear, GLenum format, const flo
     return g;
 }
 
-/* A point is lifted by most of a pixel, so it may lie behind a silhouette beside it, and solid surfaces then block it
-   at any radius: a limit of ssao and of normal rays. All other methods see nothing. */
+/* Checks that methods see nothing at a tiny radius. A point is lifted by most of a pixel, so it may lie behind a
+   silhouette beside it, and solid surfaces then block it at any radius: a limit of ssao and of normal rays. */
 static void tiny_radii_see_nothing(void)
 {
     kit_scene scene;
@@ -275,8 +275,8 @@ static void tiny_radii_see_nothing(void)
     kit_scene_free(&scene);
 }
 
-/* Random values among sound texels, more in each picture; and sound pictures of every size, with holes, half of the
-   sizes in each projection. One program of each method draws all of them, also kinds that it cannot tell apart. */
+/* Checks random values among sound texels, more in each picture; and sound pictures of every size, with holes, half of
+   the sizes in each projection. One program of each method draws all of them, also kinds that it cannot tell apart. */
 static void garbage_is_survived(void)
 {
     /* the squares of some are not finite */
@@ -314,7 +314,7 @@ static void garbage_is_survived(void)
                 normal[i] = s < SEEDS && (int)t_below(SEEDS) <= s ? odd[t_below(ROWS(odd))]
                                                                   : 0.01f * (float)t_below(200) - 1;
             g[s] = raw(&c, kind[k].linear, kind[k].format, depth[s], normal);
-            if (!kind[k].linear)                           /* from here on it only marks surfaces */
+            if (!kind[k].linear)                           /* from here on view depth only marks surfaces */
                 for (int i = 0; i < width * height; ++i)
                     depth[s][i] = depth[s][i] == (kind[k].layout == KIT_DEPTH_NORMAL ? 1.0f : 0.0f) ? 0.0f : 1.0f;
         }
@@ -336,8 +336,8 @@ static void garbage_is_survived(void)
     kit_image_free(&white.env);
 }
 
-/* A post 12 pixels wide and a pole of one pixel before a wall: the measured thickness of each, by its own width, also
-   if it is turned from the viewer; by back faces; and as a sheet, which is seen by its back face. View depths are
+/* Checks a post 12 pixels wide and a pole of one pixel before a wall: the measured thickness of each, by its own width,
+   also if it is turned from the viewer; by back faces; and as a sheet, which is seen by its back face. View depths are
    stored, too. */
 static void widths_are_measured(void)
 {
@@ -383,7 +383,7 @@ static void widths_are_measured(void)
                 if (post && m && y < H / 2) bad[1] += fabs(thick - 16) > 0.3;        /* 0.5 units */
                 else if (post) bad[1] += !(thick >= (m ? 0.25 : 0.5) * ACROSS - 0.3 && thick <= (m ? 0.5 : 1) * ACROSS);
                 else if (x == POLE) bad[2] += fabs(thick / most - (m ? 0.05 : 0.1)) > 0.01; /* not its 2x2's surface */
-                else bad[3] += thick < 0.99 * most && x != POLE - 1;                 /* the wall has no end */
+                else bad[3] += thick < 0.99 * most && x != POLE - 1;                 /* the wall must have no end */
             }
         CHECK(!bad[0] && !bad[1] && !bad[2] && !bad[3], "row %zu: wrong are %d depths, %d pixels of the post, %d of "
               "the pole, %d of the wall", r, bad[0], bad[1], bad[2], bad[3]);
@@ -410,8 +410,8 @@ static float mean_value(int x, int y)
 }
 static float ramp_value(int x, int y)     { return 0.1f + 0.001f * (float)x + 0.002f * (float)y; }
 
-/* The largest difference between the filtered picture of value and expected (x, y: full-size pixel from below), without
-   border pixels, on a plane or on two, the second from column 30 on. run: open with this set, or all 0. */
+/* Returns the largest difference between the filtered picture of value and expected (x, y: full-size pixel from below),
+   without border pixels, on a plane or on two, the second from column 30 on. run: open with this set, or all 0. */
 static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[4], int planes, const char *set,
                        float (*value)(int x, int y), float (*expected)(int x, int y), int border)
 {

@@ -15,7 +15,7 @@ static ssgi_plan made(const ssgi_plan_scene *s)
     return p;
 }
 
-/* Facts that follow from a scene's numbers, whatever the table was fitted to. */
+/* Checks facts that follow from a scene's numbers, whatever the table was fitted to. */
 static void follows(void)
 {
     const float left[3] = { -1, 0.6f, 0.3f }, right[3] = { 1, 0.6f, 0.3f }, pink[3] = { 3.3f, 0.9f, 1.9f },
@@ -53,7 +53,7 @@ static void follows(void)
     }
     CHECK(bands >= 2, "under two lights harmonics are taken %d times", bands);
 
-    /* The plan uses nothing that the scene does not give. */
+    /* The plan may use nothing that the scene does not give. */
     memset(&s, 0, sizeof s);
     s.calibration = (ssgi_calibration){ 1, 0.15f, 0.07f, 0.03f };
     s.map = 1;
@@ -66,8 +66,8 @@ static void follows(void)
                           && p.method != SSGI_PLAN_METHOD_DSS,
                       "%d given, %g of %d: %s", given, (double)s.error, s.wanted, p.why);
             }
-    /* Slabs are chosen if they help and depth passes are cheap. If no choice meets the error, the nearest one is
-       told. */
+    /* Slabs are chosen if they help and depth passes are cheap. If no choice meets the error, the plan has the nearest
+       one. */
     s.wanted = SSGI_PLAN_WANTED_VISIBILITY;
     s.thickness = SSGI_PLAN_THICKNESS_SLABS;
     s.error = 0.035f;
@@ -124,7 +124,7 @@ static void follows(void)
           "choices: %d %d %d %d", choices[0], choices[1], choices[2], choices[3]);
 }
 
-/* Predicted errors and costs of five choices, worked out by hand from the table. The squared error sums nothing's^2,
+/* Checks predicted errors and costs of five choices by hand from the table. The squared error sums nothing's^2,
    hsao's^2, slabs'^2, nothing's^2 size / radius, nothing's^2 unevenness and 1e-4, each times the row's number. */
 static void by_hand(void)
 {
@@ -219,7 +219,7 @@ static void by_hand(void)
     }
 }
 
-/* tests/nan.c tests floats that are not finite. */
+/* Checks refusals. Floats that are not finite are tested by tests/nan.c. */
 static void refused(void)
 {
     static const struct { const char *start; ssgi_plan_scene scene; } bad[] = {
@@ -254,7 +254,7 @@ static void refused(void)
           "nothing becomes a desc");
 }
 
-/* The kit draws the passes of a chain with the same shaders, except for the frame's format. */
+/* Checks that the kit draws the passes of a chain with the same shaders, except for the frame's format. */
 static void draws(const kit_run *run, const ssgi_gl_chain *chain, int i)
 {
     static ssgi_gl_step step[KIT_MAX_PASSES];
@@ -273,7 +273,7 @@ static void draws(const kit_run *run, const ssgi_gl_chain *chain, int i)
     CHECK(n == steps, "choice %d: the kit draws %d passes, ssgi_gl_plan has %d: %s", i, n, steps, why);
 }
 
-/* Every choice becomes a valid desc, and the kit draws that. */
+/* Checks that every choice becomes a valid desc, and that the kit draws it. */
 static void drawable(void)
 {
     static const int thickness[] = { [SSGI_PLAN_THICKNESS_WIDTH] = SSGI_GL_THICKNESS_DEFAULT,
@@ -336,7 +336,7 @@ static void drawable(void)
     kit_scene_free(&scene);
 }
 
-/* Calibrates by pixels of a frame and their truth, in another way than the kit's. */
+/* Fills in a calibration by pixels of a frame and their truth, in another way than the kit. */
 static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_plan_scene *s)
 {
     enum { MOST = 2000 };
@@ -394,8 +394,8 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
           s->surfels, s->splats);
 }
 
-/* A survey's figures by pixels worked out by hand; a plane's are 0, a corner's are not. A calibration by the truth
-   itself finds no error, with any number of rays, and for nothing the error of the truth's picture. */
+/* Checks a survey's figures by pixels worked out by hand; a plane's are 0, a corner's are not. A calibration by the
+   truth itself finds no error, with any number of rays, and for nothing the error of the truth's picture. */
 static void measured(void)
 {
     static const float hsao[3] = { 0.5f, 1, NAN }, best[3] = { 0.4f, 1, 0 }, solid[3] = { 0.3f, 1, 0 },

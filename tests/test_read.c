@@ -12,7 +12,7 @@ static kit_error err;
 static const char triangle[] = "void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, "
                                "0.0, 1.0); }\n";
 
-/* A program with the functions for a desc and this main. The caller binds its textures. Returns 0 on failure. */
+/* Compiles a program with a desc's functions and this main. The caller binds its textures. Returns 0 on failure. */
 static GLuint program_of(const ssgi_gl_desc *desc, const char *vertex, const char *main_)
 {
     static char text[1 << 15];
@@ -49,7 +49,7 @@ static GLuint target_of(GLenum kind, GLuint texture)
 
 typedef struct subject { const char *method, *set, *call; } subject;
 
-/* The index of the filter's pass, the last one, in an open run; -1: it has none. */
+/* Returns the index of the filter's pass, the last one, in an open run; -1: it has none. */
 static int filter_of(const kit_run *run)
 {
     int at = run->passes - 1;
@@ -139,7 +139,7 @@ static void as_the_filter(void)
 
 /* ---- edges, and surfaces that no texel shows -------------------------------------------------------------------- */
 
-/* A wall that is not square to the view and a card before it: n P = plane[3]. visibility: of the wall, of the card. */
+/* A wall that is not square to the view, and a card before it, as planes n P = planes[k][3]; their visibilities. */
 static const float planes[2][4] = { { 0.3f, 0.2f, 0.9327379f, -5.5f }, { -0.2f, 0.1f, 0.9746794f, -3 } };
 static const float visibility[2] = { 0.9f, 0.2f };
 /* A card so steep that a third of a pixel aside is several footprints nearer. */
@@ -168,7 +168,7 @@ static double depth_at(const ssgi_gl_frame *f, int orthographic, const float pla
                         : (double)plane[3] / (across - (double)plane[2]);
 }
 
-/* The result of a gather or of pass history for wall and card. eye: how far the eye stands before them. */
+/* Makes the result of a gather or of pass history for wall and card. eye: how far the eye stands before them. */
 static GLuint result_of(const ssgi_gl_frame *f, const ssgi_gl_desc *d, const float of_card[4], double eye)
 {
     static float texel[4 * SIDE * SIDE];
@@ -206,7 +206,7 @@ static GLuint block_of(const ssgi_gl_frame *f)
     return block;
 }
 
-/* The mean of a multisampled texture's samples. */
+/* Reads the mean of a multisampled texture's samples. */
 static int resolved(float *out, GLuint samples)
 {
     const GLuint target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL);
@@ -226,8 +226,8 @@ static int resolved(float *out, GLuint samples)
     return ok;
 }
 
-/* Draws a plane into the bound target with the functions: all over it, or only the card. aside: of samples, from a
-   pixel's centre; away: how far the plane lies before the result's surface; draws share * v + is. */
+/* A plane that is drawn into the bound target with the functions: all over it, or only the card. aside: of samples,
+   from a pixel's centre; away: how far the plane lies before the result's surface; draws share * v + is. */
 typedef struct painted { const float *plane; int card; float aside[2], away, share, is; } painted;
 static int paint(const ssgi_gl_desc *d, GLuint result, double eye, const painted *p)
 {
@@ -254,7 +254,7 @@ static int paint(const ssgi_gl_desc *d, GLuint result, double eye, const painted
     return 1;
 }
 
-/* Draws wall and card multisampled. read: by the functions; else by the texture's values. */
+/* Draws wall and card multisampled. read: by the functions of ssgi_gl_read; else by the texture's values. */
 static int edges(float *out, const ssgi_gl_desc *d, GLuint result, double eye, int read)
 {
     GLuint samples;
@@ -273,7 +273,7 @@ static int edges(float *out, const ssgi_gl_desc *d, GLuint result, double eye, i
     return ok;
 }
 
-/* The largest error of visibility in the middle of the card. */
+/* Returns the largest error of visibility in the middle of the card. */
 static double beside(const float *out)
 {
     double worst = 0;
@@ -283,7 +283,7 @@ static double beside(const float *out)
     return worst;
 }
 
-/* Results, and how far the eye stands before the surfaces. */
+/* A table of results' descs, and how far the eye stands before the surfaces. */
 static const struct { ssgi_gl_desc desc; float eye; } results[] = {
     { { .pass = SSGI_GL_PASS_HSAO, .gather.resolution = SSGI_GL_RESOLUTION_HALF }, 0 },
     { { .pass = SSGI_GL_PASS_HSAO, .gather.resolution = SSGI_GL_RESOLUTION_QUARTER }, 0 },
@@ -296,8 +296,7 @@ static const struct { ssgi_gl_desc desc; float eye; } results[] = {
     { { .pass = SSGI_GL_PASS_HISTORY, .input.orthographic = 1 }, -20 }
 };
 
-/* Edges between wall and card; a pane before the card, at these distances in radii; a sample that is not at the pixel's
-   centre. */
+/* Checks edges of wall and card; a pane before the card, at these distances in radii; samples off the centre. */
 static void edges_and_panes(void)
 {
     static const float away[] = { 0, 0.1f, 0.5f, 2 };
@@ -325,14 +324,14 @@ static void edges_and_panes(void)
             SHOW(worst < 2e-3 && plain > 0.3, "%s: off by %.4f; of one value a pixel by %.4f", name, worst, plain);
         }
         GLuint framebuffer = target_of(GL_TEXTURE_2D, target);
-        for (int a = 0; a <= ROWS(away); ++a) {            /* the last one, the steep card, is not away */
+        for (int a = 0; a <= ROWS(away); ++a) {            /* the last round is the steep card's, which is not away */
             const int last = a == ROWS(away);
             const painted p = { last ? steep : planes[1], 0, { 0.375f, -0.125f }, last ? 0 : away[a], 1, 0 };
             if (!paint(d, result[last], eye, &p) || !TRY(kit_texture_read(target, SIDE, SIDE, 1, out))) return;
             if (!last) got[a] = (double)out[SIDE / 2 * SIDE + SIDE / 2];
             if (last || !a) lies = fmax(lies, beside(out));
         }
-        /* At full resolution a texel of another surface has no weight at all. */
+        /* At full resolution a texel of another surface must have no weight at all. */
         SHOW(lies < 1e-3
                  && (d->gather.resolution ? got[1] < 0.21 && got[2] > 0.25 && got[2] < 0.4 && got[3] > 0.65
                      && got[3] < 0.9

@@ -10,7 +10,7 @@
 static const double pi = 3.14159265358979;
 static kit_error err;
 
-/* Direction i of side x side, distributed by the cosine about +z. */
+/* Writes direction i of side x side, distributed by the cosine about +z. */
 static void lobe(double d[3], int i, int side)
 {
     const double z = sqrt((i / side + 0.5) / side), a = 2 * pi * (i % side + 0.5) / side, r = sqrt(1 - z * z);
@@ -21,9 +21,9 @@ static void lobe(double d[3], int i, int side)
 
 /* ---- bars over a floor, endless sideways, radius 1 --------------------------------------------------------------- */
 
-/* A bar's extent along the floor, away from the viewer, and above it. */
+/* A bar's extents: y along the floor, away from the viewer, and h above it. */
 typedef struct bar { double y[2], h[2]; } bar;
-/* from: the angle between the view and straight down. upper: how far the picture extends upward from the receiver. */
+/* from: the angle between the view and straight down. upper: how far the picture extends up from the receiver. */
 typedef struct profile { double from, upper; int bars; bar bar[6]; } profile;
 
 static const profile a_plate = { 45, 9, 1, { { { 0.2, 0.6 }, { 0.4, 0.5 } } } },
@@ -32,11 +32,11 @@ static const profile a_plate = { 45, 9, 1, { { { 0.2, 0.6 }, { 0.4, 0.5 } } } },
                      a_fence = { 0, 9, 6, { { { -0.7, -0.6 }, { 0.3, 0.31 } }, { { -0.5, -0.4 }, { 0.3, 0.31 } },
                                             { { -0.3, -0.2 }, { 0.3, 0.31 } }, { { 0.2, 0.3 }, { 0.3, 0.31 } },
                                             { { 0.4, 0.5 }, { 0.3, 0.31 } }, { { 0.6, 0.7 }, { 0.3, 0.31 } } } };
-/* A card that leaves the picture by less and less. Its middle is at 0.354 upward from the receiver. */
+/* The profile of a card that leaves the picture by less and less. Its middle is at 0.354 upward from the receiver. */
 #define LEAVING(upper) { 45, upper, 1, { { { 0.1, 0.4 }, { 0.24, 0.26 } } } }
 static const profile leaving[5] = { LEAVING(0.2), LEAVING(0.3), LEAVING(0.4), LEAVING(0.6), LEAVING(9) };
 
-/* Where a line from y, h along dy, dh enters and leaves a bar; 0: it misses. edge: whether it enters through a side. */
+/* Finds where a line from y, h along dy, dh enters and leaves a bar; 0: it misses. edge: 1 if through a side. */
 static int crosses(const bar *p, double y, double h, double dy, double dh, double t[2], int *edge)
 {
     const double a = (p->y[0] - y) / dy, b = (p->y[1] - y) / dy, c = (p->h[0] - h) / dh, d = (p->h[1] - h) / dh;
@@ -46,7 +46,7 @@ static int crosses(const bar *p, double y, double h, double dy, double dh, doubl
     return t[0] < t[1] && t[0] > 0;
 }
 
-/* The share of directions that bars block, falling off with distance. Beyond the picture nothing blocks. */
+/* Returns the share of directions that bars block, falling off with distance. Beyond the picture nothing blocks. */
 static double blocked(const profile *p)
 {
     enum { N = 500 };
@@ -64,8 +64,8 @@ static double blocked(const profile *p)
     return sum / ((double)N * N);
 }
 
-/* The G-buffer of a profile, with bars of radiance 1, 0.5, 0.5. The receiver is at the middle of a row, whose number is
-   returned; 0: failed. */
+/* Makes the G-buffer of a profile, with bars of radiance 1, 0.5, 0.5. The receiver is at the middle of a row, whose
+   number is returned; 0: failed. */
 static int profile_seen(kit_gbuffer *g, const profile *p)
 {
     kit_camera camera = looking_along_z(WIDE, HIGH, 1);
@@ -77,7 +77,7 @@ static int profile_seen(kit_gbuffer *g, const profile *p)
                            &err)))
         return 0;
     for (int row = 0; row < HIGH; ++row) {
-        /* the ray's point at view depth 1; the receiver is at depth 4 */
+        /* (y, h): the point of the ray at view depth 1; the receiver is at depth 4 */
         const double up = (row - at) * pixel, y = up * c - 3 * s, h = up * s + 3 * c;
         double v[7] = { 0, 0, s, c, 0, 0, 0 }, t[2], stop[16], light = 0;
         int found = 0;
@@ -104,7 +104,7 @@ static int profile_seen(kit_gbuffer *g, const profile *p)
     return ok ? at : 0;
 }
 
-/* Beyond the picture slices expect occluders, in at most this share of the directions that are free there. */
+/* The share of the directions that are free beyond the picture in which slices expect occluders, at most. */
 static const double expected_beyond = 0.4;
 
 static void bars_cover_what_they_cover(void)
@@ -165,7 +165,7 @@ static void bars_cover_what_they_cover(void)
 
 /* ---- bare planes: nothing occludes, for any method --------------------------------------------------------------- */
 
-/* irradiance over pi on surfaces with these normals, three channels each */
+/* writes irradiance over pi on surfaces with these normals, three channels each */
 static void cosine_integrals(double (*out)[3], const kit_image *env, const double (*n)[3], int normals)
 {
     memset(out, 0, (size_t)normals * sizeof *out);
@@ -182,7 +182,7 @@ static void cosine_integrals(double (*out)[3], const kit_image *env, const doubl
         }
 }
 
-/* A plane of thickness 0.03 in front of one of thickness 0.02. */
+/* Makes the G-buffer of a plane of thickness 0.03 in front of one of thickness 0.02. */
 static int floors(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double plane[4])
 {
     static const double behind[3] = { 0.03, 0.05, 0.07 };
@@ -198,7 +198,7 @@ static int floors(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const d
     return TRY(kit_gbuffer_from_frame(g, frame, c, &err));
 }
 
-/* The same plane twice: with normals that lean to the eye, and as splats of 3x3 pixels. */
+/* Makes G-buffers of one plane: with normals that lean to the eye, and as splats of 3x3 pixels. */
 static int disagreeing(kit_gbuffer *bent, kit_gbuffer *steps, const kit_image *frame, const kit_camera *c,
                        const float view[16])
 {
@@ -226,8 +226,8 @@ static int disagreeing(kit_gbuffer *bent, kit_gbuffer *steps, const kit_image *f
     return ok;
 }
 
-/* Planes at many slants, under a sky. Every pixel must show the value at no radius: 1, or the sky's integral as far as
-   the bands hold it. */
+/* Checks planes at many slants, under a sky. Every pixel must show the value at no radius: 1, or the sky's integral as
+   far as the bands hold it. */
 static void planes_stay_open(void)
 {
     enum { WIDTH = 49, HEIGHT = 27, PIXELS = WIDTH * HEIGHT, PLANES = 4 };
@@ -306,7 +306,7 @@ static void planes_stay_open(void)
             kit_run run;
             if (!begin(&run, &g[kind][0], row[i].method, row[i].set, 0.5f, NULL, &sky)) return;
             const int bands = run.pass[run.passes - 1].desc.light.bands;
-            for (int k = 0; k < PLANES; ++k) {             /* one program a row, used for every plane */
+            for (int k = 0; k < PLANES; ++k) {             /* a row's program is used for all planes */
                 kit_image out[2];
                 double vector[16], want[3];
                 open_vector(vector, world[k]);
@@ -345,15 +345,15 @@ static void planes_stay_open(void)
 
 /* ---- rooms in perspective: the parts of their walls that lie in the picture ------------------------------------- */
 
-/* The eye is at the origin and looks along -z. Walls n * x = n[3] enclose the inside. */
+/* A space whose walls n * x = n[3] enclose the eye, at the origin, which looks along -z. */
 typedef struct space { double fovy, near; int planes; double plane[5][4]; } space;
 
-/* The share of directions from a point with normal n that meet a wall in the picture within the radius. falls: with
-   linear falloff. */
+/* Returns the share of directions from a point with normal n that meet a wall in the picture within the radius. falls:
+   with linear falloff. */
 static double walled(const space *s, const double at[3], const double n[3], double aspect, double radius, int falls)
 {
     enum { N = 64 };
-    const double up = tan(s->fovy * pi / 360), u[3] = { n[2], n[0], n[1] };      /* axes permuted, as n is an axis */
+    const double up = tan(s->fovy * pi / 360), u[3] = { n[2], n[0], n[1] };      /* n's axes permuted: n is an axis */
     const double v[3] = { n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0] };
     double sum = 0;
     for (int i = 0; i < N * N; ++i) {
@@ -372,9 +372,9 @@ static double walled(const space *s, const double at[3], const double n[3], doub
     return sum / (N * N);
 }
 
-/* A corner of floor and wall through a wide lens, far off its axis; a wall that the near plane cuts; a white room seen
-   through its open front; and the bounce of its walls in the dark, which equals the light that they block. Slices
-   expect some occluders beyond the picture, so pictures are darker than the exact sum, by the last column at most. */
+/* Checks a corner of floor and wall through a wide lens, far off its axis; a wall that the near plane cuts; a white
+   room seen through its open front; and the bounce of its walls in the dark, which equals the light that they block.
+   Slices expect some occluders beyond the picture, so pictures are darker than the exact sum, by most. */
 static void rooms_are_seen(void)
 {
     enum { HEIGHT = 48, WIDTH = 2 * HEIGHT, PIXELS = WIDTH * HEIGHT, PHASES = 2, BORDER = 3 };
@@ -407,7 +407,7 @@ static void rooms_are_seen(void)
     for (int i = 0; i < ROWS(row); ++i) {
         const space *s = row[i].s;
         const double up = tan(s->fovy * pi / 360);
-        /* ambient visibility, irradiance, or the bounce */
+        /* the channel: ambient visibility, irradiance, or the bounce */
         const int channel = !strncmp(row[i].method, "hsao", 4) ? 0 : row[i].sends ? 7 : 4;
         double off = 0, bias = 0, whole = 0;
         int n = 0;
@@ -424,7 +424,7 @@ static void rooms_are_seen(void)
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
             || !begin(&run, &g, row[i].method, set, (float)row[i].radius, NULL, row[i].sends ? &dark : &white))
             return;
-        static double last[HEIGHT][WIDTH];         /* of the row before: for the shining room, the white room's */
+        static double last[HEIGHT][WIDTH];         /* the row before's: the white room, for the shining one */
         memcpy(last, got, sizeof got);
         memset(got, 0, sizeof got);
         for (int phase = 0; phase < PHASES; ++phase) {
@@ -445,7 +445,7 @@ static void rooms_are_seen(void)
                              at[3] = { (2 * (x + 0.5) / WIDTH - 1) * up * 2 * z,
                                        (1 - 2 * (y + 0.5) / HEIGHT) * up * z, -z };
                 int inside = flat(&frame, x, y);
-                for (int p = 0; p < s->planes; ++p) {      /* leaves out a floor that shows through a cut wall */
+                for (int p = 0; p < s->planes; ++p) {      /* leaves out the floor, which shows through a cut wall */
                     const double *w = s->plane[p];
                     inside &= w[0] * at[0] + w[1] * at[1] + w[2] * at[2] > w[3] - 1e-3;
                 }
@@ -540,7 +540,7 @@ static const struct { const char *name; double scale, most; int rmse, needs, lin
                    { "an oblique near plane", 1, 0.003, 1, BARE, 0, 1.5f, NULL },
                    { "upside down", 1, 0.001, 0, BARE, 0, 1.5f, NULL } };
 
-/* Two textures of four samples for the gather: the first sample is the G-buffer's, and the others are nonsense. */
+/* Makes two textures of four samples for the gather: the first is the G-buffer's, the others are nonsense. */
 static int sampled(GLuint texture[2], const kit_gbuffer *g)
 {
     static const char *const source[2] = {
@@ -579,7 +579,7 @@ static int sampled(GLuint texture[2], const kit_gbuffer *g)
     return ok;
 }
 
-/* Gives the projection another near plane, in view space; the scene is beyond it [Lengyel 2005]. */
+/* Gives the projection another near plane, in view space; the scene must lie beyond it [Lengyel 2005]. */
 static void oblique_plane(float m[16], const double plane[4])
 {
     const double q[4] = { (copysign(1, plane[0]) + (double)m[8]) / (double)m[0],
@@ -607,11 +607,11 @@ static int step_within(kit_gbuffer *g, int linear)
     return 1;
 }
 
-/* Gives a G-buffer depth and normals as engines have them. */
+/* Gives a G-buffer depth and normals as engines store them. */
 static int as_engines_have(kit_gbuffer *g, int way)
 {
     static float z[SEEN], n[4 * SEEN], depth[2 * SEEN], normal[8 * SEEN];
-    const int layer = way == SLICED;                       /* layer 0 shows no surface */
+    const int layer = way == SLICED;                       /* layer 0 of the array shows no surface */
     const float *const p = g->projection, was[16] = { p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9], p[10],
                                                       p[11], p[12], p[13], p[14], p[15] };
     GLuint texture[2];
@@ -648,7 +648,7 @@ static int as_engines_have(kit_gbuffer *g, int way)
     return 1;
 }
 
-/* The room, under a sky and a lamp, in these units, by a camera that differs. */
+/* Makes the G-buffer of the room, under a sky and a lamp, in these units, by a camera that differs. */
 static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, int orthographic)
 {
     static const int margin[4] = { 8, 4, 12, 16 };
@@ -668,7 +668,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
                : way == ENDLESS && !orthographic ? KIT_DEPTH_INFINITE
                                                  : KIT_DEPTH_REVERSED;
     if (orthographic) {
-        static const float toward[3] = { 2, 3, 6 };        /* of length 7: floats hold the place of a far eye */
+        static const float toward[3] = { 2, 3, 6 };        /* of length 7, so that floats hold a far eye's position */
         c->fovy = c->znear = c->zfar = 0;
         c->ortho_height = 3.6f;
         for (int i = 0; i < 3; ++i) {
@@ -676,7 +676,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
             c->eye[i] = c->target[i] + way_of[way].away * toward[i];
         }
     }
-    /* multiples of the noise's tile */
+    /* shifts by multiples of the noise's tile */
     if (way == SHIFTED) { c->shift[0] = 16; c->shift[1] = -8; }
     if (way == ROLLED) {                                   /* left becomes up */
         c->up[0] = c->target[2] - c->eye[2]; c->up[1] = 0; c->up[2] = c->eye[0] - c->target[0];
@@ -701,7 +701,7 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
         kit_gbuffer_free(&window);
     }
     if (!as_engines_have(g, way)) return 0;
-    for (int y = 0; y < g->height && way == INSIDE; ++y) {   /* depths around the picture must not matter */
+    for (int y = 0; y < g->height && way == INSIDE; ++y) {   /* the depths around the picture must not matter */
         float beside[SEEN_W + 20];
         for (int i = 0; i < SEEN_W + 20; ++i) beside[i] = 0.9f;
         glBindTexture(GL_TEXTURE_2D, g->depth);
@@ -711,8 +711,8 @@ static int seen_in(kit_scene *scene, kit_gbuffer *g, kit_lighting *l, int way, i
     return 1;
 }
 
-/* The share of values in the first channels that differ by over 1 % of a's mean, and the RMSE over that mean. b is
-   shifted to the right and down by dx, dy. */
+/* Returns the share of values in the first channels that differ by over 1 % of a's mean, and the RMSE over that mean. b
+   is shifted to the right and down by dx, dy. */
 static double apart(double *rmse, const kit_image *a, const kit_image *b, int dx, int dy, int border)
 {
     const int channels = a->channels > 1 ? 3 : 1;
@@ -731,7 +731,7 @@ static double apart(double *rmse, const kit_image *a, const kit_image *b, int dx
     return (double)off / n;
 }
 
-/* Draws one picture of a way. plain: without noise. Passes get programs of their own. */
+/* Draws a picture by camera, layout or units of a way. plain: without noise. Passes get programs of their own. */
 static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int way, int plain, const kit_scene *scene,
                    const kit_lighting *l)
 {
@@ -758,7 +758,7 @@ static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int w
         p->desc.input.array = way == SLICED;
         p->desc.input.multisampled = way == SAMPLED;
         p->desc.input.oblique = way == OBLIQUE;
-        if (decodes) {                                     /* its sampler is at unit 0, where rows have depth */
+        if (decodes) {                                     /* a sampler at unit 0, where rows have depth */
             p->desc.input.depth = SSGI_GL_DEPTH_CUSTOM;
             p->desc.shader.fetch = text;
             ok = ok && TRY(!(p->program = kit_pass_program(&p->desc, &err)));
@@ -784,7 +784,7 @@ static int seen_by(kit_image *out, kit_gbuffer *g, int m, const char *set, int w
     return ok;
 }
 
-/* Compares the ways from first to last with reversed depth; in perspective (0) or orthographic (1), from .. to. */
+/* Compares ways first .. last with reversed depth; in perspective (0) or orthographic (1), from .. to. */
 static void nothing_changes(int first, int last, int from, int to)
 {
     const int apart_from_others = way_of[first].needs & (AFAR | LOOSELY | BARE), plain = way_of[first].needs == BARE;
@@ -823,7 +823,7 @@ static void nothing_changes(int first, int last, int from, int to)
                         turned.data[i] = other.data[i / SEEN * SEEN + from_there];
                     }
                 }
-                if (way == ROLLED) {           /* may differ by no more than another phase of the noise */
+                if (way == ROLLED) {           /* differs by at most as much as another phase of the noise */
                     snprintf(set + strlen(set), 16, ",phase=0.39");
                     kit_image again;
                     if (!seen_by(&again, &g, m, set, way, plain, &scene, &l)) return;
@@ -857,7 +857,7 @@ static void eyes_stand_anywhere(void)      { nothing_changes(DISTANT, WITHIN_OWN
 static void uniforms_may_be_loose(void)    { nothing_changes(LOOSE, LOOSE, 0, 0); }
 static void what_engines_have(void)        { nothing_changes(LEFT_HANDED, UPSIDE_DOWN, 0, 0); }
 
-/* Larger targets, with the picture at (8, 6) in them. Around it they must keep their old values. */
+/* Checks larger targets, with the picture at (8, 6) in them. Around it they must keep their old values. */
 static void targets_have_room(void)
 {
     enum { BEYOND = 20, WIDE_ = SEEN_W + BEYOND, HIGH_ = SEEN_H + BEYOND };
@@ -886,7 +886,7 @@ static void targets_have_room(void)
             kit_pass *p = &run.pass[k];
             resize(p, p->width + BEYOND, p->height + BEYOND, sevens);
             if (p->target[0]) continue;
-            const GLuint array = run.texture[run.textures++] =  /* its target is a layer of emitters */
+            const GLuint array = run.texture[run.textures++] =  /* its target is one layer of the emitters' array */
                 kit_texture_array(p->width, p->height, 1, p->step->output[0].format->internal, sevens);
             kit_run_input(&run, "t_ssgi_emitters", array);
             glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
@@ -932,10 +932,10 @@ static void turn_inside_out(kit_mesh *mesh)
         }
 }
 
-/* A ball inside out looks like a sheet if a method reads back faces, which costs a little. Lenses: 720 rows through a
-   telescope, where the rounding of depth must not be seen. Extra cameras know what a picture from above lacks: a wall
-   beside it, and a plate's underside, without which points below the plate seem blocked. Lamps alone, whose shadows
-   bent normals take from maps, and with a sky. */
+/* Checks errors against ray tracing. A ball inside out looks like a sheet if a method reads back faces, which costs a
+   little. Lenses: 720 rows through a telescope, where the rounding of depth must not be seen. Extra cameras know what a
+   picture from above lacks: a wall beside it, and a plate's underside, without which points below the plate seem
+   blocked. Lamps alone, whose shadows bent normals take from maps, and with a sky. */
 static void near_their_truth(void)
 {
     enum { BALL, LENS, NARROW, NARROWEST, BESIDE, AFLOAT, LAMP, UNDER_SKY, PLACES };
@@ -960,7 +960,7 @@ static void near_their_truth(void)
         { "a plate afloat", "plane", &afloat, 1, &above, 0, 0.3f, NULL, NULL, 112, 63, 64 },
         { "a lamp in a box", "cornell", NULL, 0, NULL, 0, 0, NULL, "point:0,5,-2.8,20,20,20", 96, 54, 1 },
         { "columns under a sun and a sky", "columns", NULL, 0, NULL, 0, 0, "sky", "sun:1,2,1,3,3,3", 96, 54, 32 } };
-    /* most, least: the RMSE over that of no occlusion, or with lamps over the mean; bias: at most */
+    /* most, least: limits of the RMSE over that of no occlusion, or with lamps over the mean; bias: its limit */
 #define POINTS "bounce=none,blur=0,directions=33,samples=1,range_check=0,fade=none,thickness=solid"
 #define CAMERAS ",views=3,view_layers=2"
     static const struct { int place; const char *method, *set; double least, most, bias; } row[] = {

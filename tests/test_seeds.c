@@ -36,7 +36,7 @@ static int all_finite(const kit_mesh *m)
     return 1;
 }
 
-/* What a camera shows: the share of pixels with a hit, and the radius over the picture's height at the median depth. */
+/* Measures a camera's share of pixels with a hit, and the radius over the picture's height at median depth. */
 static void seen(const kit_scene *s, double *share, double *reach)
 {
     enum { ACROSS = 48, DOWN = 27 };
@@ -64,8 +64,8 @@ static void seen(const kit_scene *s, double *share, double *reach)
     *reach = (double)s->radius / (c.fovy > 0 ? 2 * tan((double)c.fovy * KIT_PI / 360) * at : (double)c.ortho_height);
 }
 
-/* Two seeds of each kind. For seeds from 1000 on the figures are those of gcc's and clang's builds: whoever changes a
-   scene changes the charts' scenes, and must change these lines. */
+/* Checks two seeds of each kind. For seeds from 1000 on the figures are those of gcc's and clang's builds: whoever
+   changes a scene changes the charts' scenes, and must change these lines. */
 static void scenes(void)
 {
     static const struct {
@@ -130,7 +130,7 @@ static void no_seeds(void)
     }
 }
 
-/* A package's model, in metres as in its catalogue, on the floor of the camera's scene. */
+/* Checks a package's model, in metres as in its catalogue, on the floor of the camera's scene. */
 static void models_alone(void)
 {
     static const struct { const char *name; double height; } cases[] = {
@@ -152,7 +152,7 @@ static void models_alone(void)
 
 /* ---- parts: the area vectors of closed ones add up to 0, and they hold a volume --------------------------------- */
 
-/* The length of that sum, over the whole area. */
+/* Returns the length of the sum of area vectors, over the whole area. */
 static double open_share(const kit_mesh *m, double *volume)
 {
     double sum[3] = { 0 }, all = 0;
@@ -199,8 +199,8 @@ static void closed_parts(void)
 
 /* ---- many scenes: their mean and its interval ------------------------------------------------------------------- */
 
-/* 0.2, 0.4, 0.6, 1.2 and an unknown value: mean 0.6, squares about it 0.56, so the mean's standard error is sqrt(0.56 /
-   3 / 4) = 0.216025. */
+/* Checks the statistics of 0.2, 0.4, 0.6, 1.2 and an unknown value: mean 0.6, squares about it 0.56, so the mean's
+   standard error is sqrt(0.56 / 3 / 4) = 0.216025. */
 static void spreads(void)
 {
     static const double value[5] = { 0.4, (double)NAN, 1.2, 0.2, 0.6 };
@@ -216,12 +216,12 @@ static void spreads(void)
 
 enum { ACROSS_DIFFERS = 32, DOWN_DIFFERS = 16 };
 
-/* 1, 1, -1, -1, 1 .. in each row: 32 columns have 31 pairs of neighbours, of which 16 are equal, and 29 pairs three
-   apart, of which 14 are. Patches of eight columns have mean 0. */
+/* Returns 1, 1, -1, -1, 1 .. along each row: 32 columns have 31 pairs of neighbours, of which 16 are equal, and 29
+   pairs three apart, of which 14 are. Patches of eight columns have mean 0. */
 static double stripes(int x, int y) { return (void)y, x & 2 ? -1 : 1; }
 
-/* 1 in the left half, -1 in the right: 1 of 31 pairs of neighbours differs, and 3 of 29 three apart. Of two rows of
-   four patches, 1 of three pairs across differs, and none of the four above each other. */
+/* Returns 1 in the left half, -1 in the right: 1 of 31 pairs of neighbours differs, and 3 of 29 three apart. Of two
+   rows of four patches, 1 of three pairs across differs, and none of the four above each other. */
 static double halves(int x, int y) { return (void)y, x < ACROSS_DIFFERS / 2 ? 1 : -1; }
 
 static double checks(int x, int y) { return (x + y) & 1 ? -1 : 1; }
@@ -271,9 +271,9 @@ static void differences(void)
     kit_image_free(&b);
 }
 
-/* Of 512 pixels with two channels, every fourth has an error of 0.5 in the first picture: RMSE 0.25. The second picture
-   has it at half of those, so its squared error is less by 0.25 at an eighth of the pixels, whose deviation is 0.25
-   sqrt(7 / 64). */
+/* Checks the RMSE of 512 pixels with two channels, of which every fourth has an error of 0.5 in the first picture:
+   0.25. The second picture has it at half of those, so its squared error is less by 0.25 at an eighth of the pixels,
+   whose deviation is 0.25 sqrt(7 / 64). */
 static void errors_by_hand(void)
 {
     static const char *const both[2] = { "A", "B" };
@@ -295,8 +295,8 @@ static void errors_by_hand(void)
     for (int k = 0; k < 3; ++k) kit_image_free(&p[k]);
 }
 
-/* Each row has a method that exists, settings that it accepts, and a frame with the inputs of both. Rows of one picture
-   follow each other. */
+/* Checks that each row has a method that exists, settings that it accepts, and a frame with the inputs of both. Rows of
+   one picture follow each other. */
 static void subjects_sound(void)
 {
     kit_method m;
@@ -318,7 +318,7 @@ static void subjects_sound(void)
     }
 }
 
-/* Otherwise a row that cannot be drawn would be found an hour into the chart. */
+/* Checks that the chart's rows can be drawn, as one that cannot would be found after an hour. */
 static void rows_sound(void)
 {
     const options all = { .quick = 1 };

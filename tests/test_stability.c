@@ -7,7 +7,7 @@
 
 static const cause *now;
 
-/* The number of the curve with that label, or for "" of the reference beside methods, is within its bound. */
+/* Checks that the number of a label's curve, or for "" of the reference beside methods, is in its bound. */
 static void bounded(const result *r, const char *label, double least, double most)
 {
     const curve *found = NULL;
@@ -39,7 +39,7 @@ static void holds_still(void)
         for (int m = 0; m < sweeps_methods; ++m)
             if (!strcmp(sweeps_method[m].label, bound[bounds].label)) o.methods += o.method[m] = 1;
     }
-    cause fewer = *now;                        /* the truth's noise hardly changes an error */
+    cause fewer = *now;                        /* a copy with fewer rays: the truth's noise hardly changes an error */
     if (fewer.kind != DEVIATION) fewer.rays /= 2;
     if (!CHECK(!sweep(&r, &fewer, &o, now->name, &err), "%s", err.text)) return;
     for (int i = 0; i < bounds; ++i) bounded(&r, bound[i].label, bound[i].least, bound[i].most);

@@ -22,7 +22,7 @@ typedef struct host {
 
 static GLuint keep(host *h, GLuint texture) { return h->all[h->textures++] = texture; }
 
-/* Compiles a program once for each context: equal keys mean equal shaders. */
+/* Compiles a program, once for each context and key, as equal keys mean equal shaders. */
 static GLuint program_of(const ssgi_gl_desc *desc)
 {
     const uint64_t key = ssgi_gl_key(desc);
@@ -32,7 +32,7 @@ static GLuint program_of(const ssgi_gl_desc *desc)
     return program && !kit_program_keep(key, program, &err) ? program : 0;
 }
 
-/* Makes programs, textures and framebuffers once. */
+/* Makes the programs, textures and framebuffers of a chain, once. */
 static int opened(host *h, const ssgi_gl_chain *chain)
 {
     const char *why = "";
@@ -69,7 +69,7 @@ static GLuint read_by(const host *h, const ssgi_gl_input *in)
     return !made ? h->yours[in->meaning] : in->last && made[1] ? made[1] : made[0];
 }
 
-/* The binding that GL has: a texture and its target. */
+/* Returns a binding as GL has it: a texture and its target. */
 static ssgi_gl_bound bound(GLuint texture, GLenum target)
 {
     ssgi_gl_bound b = { target, 0, 0, 0, GL_NEAREST, 0, GL_NEAREST };
@@ -135,7 +135,7 @@ static void shut(host *h)
     memset(h, 0, sizeof *h);
 }
 
-/* The chain of a method as the kit made it, and its textures as an embedder's. */
+/* Returns the chain of a method as the kit made it, and sets its textures as an embedder's. */
 static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
 {
     ssgi_gl_chain chain;
@@ -170,7 +170,7 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
     return chain;
 }
 
-/* ssgi_gl_step_check accepts the bindings of every step. */
+/* Checks that ssgi_gl_step_check accepts the bindings of every step. */
 static void nothing_wrong(const host *h, const char *of)
 {
     for (int i = 0; i < h->steps; ++i) {
@@ -211,7 +211,7 @@ static int ready(kit_run *run, host *h, ssgi_gl_chain *chain, int m, kit_scene *
 
 static const char *context;
 
-/* Draws each method by the loop above. The picture must be the kit's, and no binding wrong. */
+/* Draws each method by the loop above. The picture must equal the kit's, and no binding may be wrong. */
 static void every_method(void)
 {
     kit_scene scene;
@@ -262,8 +262,8 @@ static void every_method(void)
     kit_image_free(&l.env);
 }
 
-/* The library's chain for a name has the passes that build/render draws. Only the scene sets objects, if it has some,
-   and levels, from the radius. */
+/* Checks that the library's chain for a name has the passes that build/render draws. Only the scene sets objects, if it
+   has some, and levels, from the radius. */
 static void methods_by_name(void)
 {
     const ssgi_gl_method *named;
@@ -306,7 +306,7 @@ static void methods_by_name(void)
     kit_image_free(&lamp.env);
 }
 
-/* The chain that a name gives, or the beginning of its refusal, which leaves the chain as it was. */
+/* Checks the chain that a name gives, or the beginning of its refusal, which leaves the chain as it was. */
 static void names_of_methods(void)
 {
     static const struct { const char *name, *same, *why; } names[] = {
@@ -354,7 +354,7 @@ static void names_of_methods(void)
     CHECK(!memcmp(&frame, &was, sizeof frame), "a refusal changes the frame");
 }
 
-/* One mistake at a time; the sentence names its step, texture and unit. */
+/* Makes one mistake at a time; the sentence must name its step, texture and unit. */
 static void wrong_things(void)
 {
     kit_scene scene;
@@ -400,7 +400,7 @@ static void wrong_things(void)
 }
 
 /* Composes visibility onto a picture of 0.5, of which 0.25 is ambient, in each way, and compares with the visibility
-   that was read back. Three strengths; 4 makes some pixels black. */
+   that was read back. There are three strengths; 4 makes some pixels black. */
 static void onto_a_picture(void)
 {
     kit_scene scene;
@@ -453,7 +453,7 @@ static void onto_a_picture(void)
     kit_scene_free(&scene);
 }
 
-/* The value of a field in words: a number, or one of its words. */
+/* Returns the value of a field in words: a number, or one of its words. */
 static int value_in(const ssgi_gl_choice *c, const char *text, size_t length)
 {
     int value = 0;
@@ -462,8 +462,8 @@ static int value_in(const ssgi_gl_choice *c, const char *text, size_t length)
     return atoi(text);
 }
 
-/* A chain in words: "pass=HSAO,blur=1" sets fields of desc and of the chain. After the word lights, which adds pass
-   lights, fields are those of lights. */
+/* Returns a chain in words: "pass=HSAO,blur=1" sets fields of desc and of the chain. After the word lights, which adds
+   pass lights, fields are those of lights. */
 static ssgi_gl_chain chain_in(const char *words)
 {
     ssgi_gl_chain chain;
@@ -492,7 +492,7 @@ static ssgi_gl_chain chain_in(const char *words)
     return chain;
 }
 
-/* A wrong field of a chain is named, and nothing is written. */
+/* Checks that a wrong field of a chain is named, and that nothing is written. */
 static void refusals(void)
 {
     static const char *const row[][2] = {
@@ -538,7 +538,7 @@ static void refusals(void)
 enum { EYES = 2, EYE_FRAMES = 6 };
 static const int eye_size[EYE_FRAMES][2] = { { W, H }, { W, H }, { 88, 52 }, { 100, 60 }, { 100, 60 }, { W, H } };
 
-/* An eye's frame, with the frame before as the last one. */
+/* Sets an eye's frame, with the frame before as the last one. */
 static int eye_frame(ssgi_gl_frame *f, const kit_gbuffer *now, const kit_gbuffer *last, float radius, int k)
 {
     const char *why = "";
@@ -555,7 +555,7 @@ static int eye_frame(ssgi_gl_frame *f, const kit_gbuffer *now, const kit_gbuffer
         && CHECK(ssgi_gl_frame_history(f, &view, to, from, &why) == SSGI_OK, "%s", why);
 }
 
-/* The texture that the last step wrote in this frame. */
+/* Returns the texture that the last step wrote in this frame. */
 static GLuint written_by(const host *h)
 {
     const ssgi_gl_output *o = &h->step[h->steps - 1].output[0];
@@ -582,7 +582,7 @@ static int resized(host *h, const ssgi_gl_chain *chain)
     return 1;
 }
 
-/* Copies G-buffers into a corner of the layers of array textures. */
+/* Copies both eyes' G-buffers into a corner of the layers of array textures. */
 static int into_layers(GLuint array[2], const kit_gbuffer g[EYES])
 {
     static float texel[4 * W * H], layers[EYES * 4 * W * H];
@@ -601,7 +601,7 @@ static int into_layers(GLuint array[2], const kit_gbuffer g[EYES])
     return 1;
 }
 
-/* A camera's G-buffer, with depth in a format that any kind of texture has. */
+/* Makes a camera's G-buffer, with depth in a format that any kind of texture has. */
 static int eye_seen(kit_gbuffer *g, const kit_scene *scene, int k, int eye)
 {
     kit_camera c = scene->camera;
@@ -619,8 +619,8 @@ static int eye_seen(kit_gbuffer *g, const kit_scene *scene, int k, int eye)
     return made;
 }
 
-/* Two eyes, each with its own history, while the picture's size changes: as layers of array textures of the largest
-   size, of which the picture is a part; and with single textures that are made anew at each size. */
+/* Checks two eyes, each with its own history, while the picture's size changes: as layers of array textures of the
+   largest size, of which the picture is a part; and with single textures that are made anew at each size. */
 static void eyes(void)
 {
     static kit_gbuffer g[EYE_FRAMES][EYES];
@@ -649,7 +649,7 @@ static void eyes(void)
     for (int k = 0; k < EYE_FRAMES; ++k) {
         if (!into_layers(array, g[k])) return;
         for (int eye = 0; eye < EYES; ++eye) {
-            /* of a pair one texture is made anew now, and the other one frame later */
+            /* of a kept output's two textures one is made anew now, and the other one frame later */
             const int w = eye_size[k][0], h = eye_size[k][1],
                       anew = (k && w != eye_size[k - 1][0]) || (k > 1 && w != eye_size[k - 2][0]);
             ssgi_gl_frame frame;
@@ -689,8 +689,8 @@ static void eyes(void)
     kit_scene_free(&scene);
 }
 
-/* Pass thickness is drawn once, before all passes that read it, with the settings of the pass that needs most; and only
-   if slices read it. A sample costs as many fetches with it as without. */
+/* Checks that pass thickness is drawn once, before all passes that read it, with the settings of the pass that needs
+   most; and only if slices read it. A sample costs as many fetches with it as without. */
 static void widths(void)
 {
     static const struct { int at, thickness; const char *chain; } row[] = {
@@ -751,7 +751,7 @@ static void widths(void)
     CHECK(fetches[0] > 1 && fetches[0] == fetches[1], "%d fetches with widths, %d without", fetches[1], fetches[0]);
 }
 
-/* The formats of steps are among those in the rows of their outputs, and inputs are at the units of their rows. */
+/* Checks that steps' formats are among those in their outputs' rows, and inputs at the units of their rows. */
 static void formats(void)
 {
     static const char *const chains[] = {
@@ -766,7 +766,7 @@ static void formats(void)
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
         const ssgi_gl_format *const last = step[n > 0 ? n - 1 : 0].output[0].format;
         CHECK(n > 0, "%s: %s", chains[i], why);
-        if (!strcmp(last->name, "R8")) { /* or RGBA8, for it alone */
+        if (!strcmp(last->name, "R8")) { /* R8, or RGBA8 for this output alone */
             chain.rgba8 = 1;
             ssgi_gl_steps(step, STEPS, &chain, &why);
             CHECK(step[n - 1].output[0].format->internal == GL_RGBA8 && (n < 2 || step[0].output[0].format->bytes != 4
@@ -794,14 +794,14 @@ static void formats(void)
     }
 }
 
-/* The output of a chain's last step by its name, and whether it is a result or your picture. */
+/* Checks the output of a chain's last step by its name, and whether it is a result or your picture. */
 static void results(void)
 {
     static const struct { const char *output; int steps; const char *chain; } row[] = {
         { "o_ssgi_bent", 3, "pass=S3HO,shading=BENT" },
         { "o_ssgi_bent", 4, "pass=S3HO,shading=BENT,blur=1,coefficients=1" },
         { "o_ssgi_light", 3, "pass=SSDO,environment=SH,blur=1" },
-        /* of light that no filter writes */
+        /* of light that no filter writes: composed onto the picture */
         { "o_ssgi_picture", 3, "pass=SSDO,environment=MAP,onto=AMBIENT" },
         /* of virtual point lights, added to the bounce */
         { "o_ssgi_light", 6, "pass=SSDO,environment=MAP,bounce=SOLID_ANGLE,vpls=1,direct=1,lights" },
@@ -841,7 +841,7 @@ static void results(void)
     }
 }
 
-/* With one camera and one layer of depth: each part of a chain on and off, in each preset. */
+/* Checks SSGI_GL_STEPS, with one camera and one layer of depth: each part of a chain on and off, in each preset. */
 static void room_for_steps(void)
 {
     enum { ENVIRONMENT = 1, BOUNCE = 2, LIGHTS = 4, HISTORY = 8, ONTO = 16, A = 32, B = 64, C = 128, ALL = 256 };
@@ -891,7 +891,7 @@ static void room_for_steps(void)
 
 /* ---- >>chains by chance ------------------------------------------------------------------------------------------ */
 
-/* A desc most of whose fields have their default. */
+/* Makes a random desc most of whose fields have their default. */
 static void any_desc(ssgi_gl_desc *d)
 {
     const ssgi_gl_choice *c;
@@ -925,7 +925,7 @@ static ssgi_gl_chain any_chain(void)
     return chain;
 }
 
-/* A texture of zeros, as large as a sampler of this type needs. */
+/* Makes a texture of zeros, as large as a sampler of this type needs. */
 static GLuint anything(const ssgi_gl_input *in)
 {
     const int width = in->width > 8 ? in->width : 8, height = in->height > 8 ? in->height : 8;
@@ -939,8 +939,8 @@ static GLuint anything(const ssgi_gl_input *in)
     return t;
 }
 
-/* Every accepted chain compiles, has complete framebuffers, and draws without an error. T_CHAINS in the environment:
-   how many chains, instead of a few. */
+/* Checks that every accepted chain compiles, has complete framebuffers, and draws without an error. T_CHAINS in the
+   environment: how many chains, instead of a few. */
 static void random_chains(void)
 {
     const char *const many = getenv("T_CHAINS");

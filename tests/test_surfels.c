@@ -30,7 +30,7 @@ static ssgi_surfel_source source_of(const float *position, size_t triangles)
     return s;
 }
 
-/* All surfels of a source, which the caller frees. Behind them stay a few that were there before, untouched. */
+/* Returns all surfels of a source, which the caller frees. Behind them stay a few that were there before, untouched. */
 static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view,
                                const ssgi_surfel_source *source)
 {
@@ -46,8 +46,8 @@ static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, cons
     return s;
 }
 
-/* The form factor of a surfel's front, seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]. It is
-   exact on the surfel's axis, and too low beside it if d < 4 r (by half at d = r). */
+/* Returns the form factor of a surfel's front, seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989].
+   It is exact on the surfel's axis, and too low beside it if d < 4 r (by half at d = r). */
 static float form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3])
 {
     float v[3], d2 = 0, above = 0, before = 0;
@@ -82,7 +82,7 @@ static void points(void)
 
 static void levels(void)
 {
-    /* where the level's even formula is full, with a float on either side */
+    /* at areas where the level's even formula is full, with a float on either side */
     for (int i = 1; i <= 64; ++i)
         for (int k = -1; k <= 1; ++k) {
             const float full = (3 * (float)(i + 1) * (float)(i + 1) + 1) / 4,
@@ -109,7 +109,7 @@ static double area_of(const ssgi_surfel *s, size_t count)
     return sum;
 }
 
-/* The normal of a triangle, of twice its area's length. */
+/* Writes the normal of a triangle, of twice its area's length. */
 static void normal_of(const float p[9], float n[3])
 {
     float u[3], v[3];
@@ -124,14 +124,14 @@ static double area_of_triangle(const float p[9])
     return 0.5 * sqrt(dot(n, n));
 }
 
-/* Areas add up: of triangles that are split, too; of small triangles, as an expectation. */
+/* Checks that areas add up: of triangles that are split, too; of small triangles, as an expectation. */
 static void areas(void)
 {
     const kit_camera c[2] = { looking_along_z(160, 90, 0), looking_along_z(160, 90, 1) };
     enum { SMALL = 40000 };
     float *soup = malloc(9 * SMALL * sizeof *soup);
     double worst = 0;
-    /* one triangle each, of all sizes, before and behind the eye */
+    /* scenes of one triangle each, of all sizes, before and behind the eye */
     for (int k = 0; k < 40; ++k) {
         const ssgi_surfel_desc d = { .size = 0.03f, .keep_small = 1 };
         const float extent = powf(10, 2.5f * t_uniform(0, 1) - 1.5f);
@@ -174,7 +174,7 @@ static void areas(void)
     free(soup);
 }
 
-/* Ten thousand slivers: surfels stay in their triangles, and so do their discs, if these fit. */
+/* Checks ten thousand slivers: surfels stay in their triangles, and so do their discs, if these fit. */
 static void slivers(void)
 {
     const kit_camera c = looking_along_z(160, 90, 0);
@@ -203,7 +203,7 @@ static void slivers(void)
         double perimeter = 0;
         int level = 1;
         while (ssgi_tess_count(level) < (int)count) ++level;
-        /* the shrunk corners are in the first ring */
+        /* the first ring of surfels has the corners of the shrunk triangle */
         for (int k = 0; k < 9; ++k) small[k] = s[k / 3 * level].position[k % 3];
         const double area = area_of_triangle(p);
         normal_of(p, n);
@@ -227,7 +227,7 @@ static void slivers(void)
                 const double distance = dot(from, inward) / sqrt(dot(inward, inward));
                 outside += distance < -2e-7;
                 half += d.overhang && r <= 0.75 * inner && r - distance > 0.4 * r;
-                over += fit && r - distance > 1e-6 * r + 2e-7;                 /* and the rounding of positions */
+                over += fit && r - distance > 1e-6 * r + 2e-7;                 /* tolerates the rounding of positions */
             }
         free(s);
     }
@@ -248,9 +248,9 @@ static int all_finite(const ssgi_surfel *s, size_t n)
     return 1;
 }
 
-/* A bad or vanishing triangle gives no surfel; an odd one finite surfels, as many as predicted. If its corners shrink
-   onto each other, or its normals are not finite, it keeps its own normal. A triangle far from the view is left out. A
-   mirrored mesh keeps its outside. */
+/* Checks that a bad or vanishing triangle gives no surfel; an odd one finite surfels, as many as predicted. If its
+   corners shrink onto each other, or its normals are not finite, it keeps its own normal. A triangle far from the view
+   is left out. A mirrored mesh keeps its outside. */
 static void odd_triangles(void)
 {
     static const float wrong[9] = { INFINITY, 0, 0, 0, NAN, 0, 0, 0, 0 };
@@ -301,7 +301,7 @@ static void odd_triangles(void)
         CHECK((n > 0) == k, "most %g: %zu surfels", (double)d.max_distance, n);
     }
     d.max_distance = 0;
-    /* mirrored and sheared: with its own normals, with given ones */
+    /* matrices mirrored and sheared: with the triangle's own normals, with given ones */
     for (int k = 0; k < 2; ++k) {
         ssgi_surfel_source source = source_of(p, 1);
         size_t n = 0;
@@ -330,7 +330,7 @@ static void odd_triangles(void)
 static void reach_and_shells(void)
 {
     int wrong = 0;
-    for (int k = 0; k < 100; ++k) {                        /* the place where the brightest brings epsilon */
+    for (int k = 0; k < 100; ++k) {                        /* places where the brightest surfel brings epsilon */
         const double r = pow(10, 4 * t_within(0, 1) - 2), bright = 0.3 + 5 * t_within(0, 1),
                      epsilon = pow(10, -3 * t_within(0.17, 1)), far = ssgi_surfel_reach(r, bright, epsilon);
         CHECK(bright <= epsilon || fabs(bright * ssgi_surfel_form_factor(r, far) / epsilon - 1) < 1e-9,
@@ -338,7 +338,7 @@ static void reach_and_shells(void)
     }
     CHECK(ssgi_surfel_reach(1, 0.01, 0.02) == 0 && ssgi_surfel_reach(1, 0.02, 0.02) == 0,
           "a surfel that is too faint has a reach");
-    /* also at the borders of levels; nothing beyond most */
+    /* distances also at the borders of levels; no level brings anything beyond most */
     for (int k = 0; k < 3000; ++k) {
         const double reach = 0.1 + t_within(0, 1), most = k % 3 ? 1e18 : 20 * t_within(0, 1),
                      border = ldexp(reach, k % 6), d = k % 5 ? 70 * reach * t_within(0, 1) + 1e-9 : border;
@@ -362,7 +362,7 @@ static void reach_and_shells(void)
     }
 }
 
-/* Sums of surfels' form factors against their surface's exact one: a box of 4 x 4 x 4, seen from its floor's middle. */
+/* Compares sums of surfels' form factors with the exact one: a box of 4 x 4 x 4, from its floor's middle. */
 static void closed_forms(void)
 {
     const float up[3] = { 0, 0, 1 }, origin[3] = { 0, 0, 0 };
@@ -436,7 +436,7 @@ static void bounds(void)
     t_note("%d spheres: out by %.1e pixels at most, bounds wider by %.3f of one at most", some, worst[0], worst[1]);
 }
 
-/* A surfel that faces the viewer is s/2 picture heights wide at any depth. Behind the near plane surfels grow again. */
+/* Checks that a facing surfel is s/2 picture heights wide at any depth, and wider behind the near plane. */
 static void radii(void)
 {
     kit_camera c = looking_along_z(160, 90, 0);
@@ -463,7 +463,7 @@ static void radii(void)
     }
 }
 
-/* The numbers that are predicted for a scene, from its triangles and from its surfels. */
+/* Checks the numbers that are predicted for a scene, from its triangles and from its surfels. */
 static void predictions(void)
 {
     static const char *const names[2] = { "boxes", "pebbles" };
@@ -512,8 +512,8 @@ static void predictions(void)
     }
 }
 
-/* A ground of 2 km, from the eye to the horizon, and a small triangle. The ground is divided until its parts suffice,
-   or near the eye ten times. Areas stay, and parts far aside are dropped. */
+/* Checks a ground of 2 km, from the eye to the horizon, and a small triangle. The ground is divided until its parts
+   suffice, or near the eye ten times. Areas stay, and parts far aside are dropped. */
 static void divided(void)
 {
     static const float ground[27] = { -1000, 0,    -1000, -1000, 0, 1000, 1000, 0,    -1000, 1000, 0, -1000, -1000, 0,
@@ -571,7 +571,7 @@ static void divided(void)
     free(out);
 }
 
-/* The reflectance over a whole plane: the integral of 2 pi r R(r) [JMLH01]. */
+/* Returns the reflectance over a whole plane: the integral of 2 pi r R(r) [JMLH01]. */
 static double total_of(const ssgi_dipole *d, int c)
 {
     return 0.5 * d->albedo[c] * (exp(-d->sigma_tr[c] * d->z_r[c]) + exp(-d->sigma_tr[c] * d->z_v[c]));
@@ -588,7 +588,7 @@ static void dipoles(void)
           0,
           0.163836010769,
           { 0.00271994156, 0.00265432067, 0.00247143418, 0.00190356964, 0.000557030979 } },
-        /* at 0, .5, 1, 2, 5 mm */
+        /* a material, and its dipole's values at 0, .5, 1, 2, 5 mm */
         { "wholemilk", 2, 0.759412709098, { 1.18155066, 0.153520806, 0.0397479523, 0.00776154361, 0.000339423477 } }
     };
     static const double mm[5] = { 0, 0.5, 1, 2, 5 };
@@ -698,7 +698,7 @@ static void refusals(void)
     REFUSED(ssgi_gl_dipole_set(&o.frame, NULL, 1, &why), "frame, dipole");
     REFUSED(ssgi_gl_dipole_set(&o.frame, &fine, 0, &why), "unit");
 #undef REFUSED
-    /* a small capacity: as many as fit, and the whole count */
+    /* with a small capacity: as many as fit are written, and the whole count is returned */
     size_t n = 0;
     ssgi_surfels(o.out, 1, &n, &d, &view, &source, NULL);
     CHECK(n > 2 && memcmp(&o.out[0], &was.out[0], sizeof was.out[0])
@@ -708,8 +708,8 @@ static void refusals(void)
           "53 x 37 becomes %d x %d", o.size[0], o.size[1]);
 }
 
-/* Level 0 of surfels with a diameter of 0.04 ends at 3 of their radii of 0.02 if epsilon is 0.1. The kit's dss asks for
-   as many levels as the radius needs, unless they are set; for half of the radius if occlusion fades. */
+/* Checks that level 0 of surfels with a diameter of 0.04 ends at 3 of their radii of 0.02 if epsilon is 0.1. The kit's
+   dss asks for as many levels as the radius needs, unless they are set; for half of the radius if occlusion fades. */
 static void levels_wanted(void)
 {
     static const struct {
@@ -740,7 +740,7 @@ typedef struct deep {
     float world[16];
 } deep;
 
-/* radius 0: no end. custom: the test's own GLSL, or NULL. */
+/* Opens a run of a surfel method. radius 0: no end. custom: the test's own GLSL, or NULL. */
 static int begin_deep(deep *d, const char *method, const char *set, float radius, const kit_lighting *lighting,
                       const char *custom)
 {
@@ -753,7 +753,7 @@ static int begin_deep(deep *d, const char *method, const char *set, float radius
     return TRY(kit_run_open(&d->run, &d->g, &m, radius > 0 ? radius : 5e17f, &world, &err));
 }
 
-/* A built-in scene with boxes, and its G-buffer. */
+/* Makes a built-in scene with boxes, and its G-buffer. */
 static int look(deep *d, const char *scene, const box *boxes, int count, const kit_camera *camera, int w, int h)
 {
     float projection[16];
@@ -765,7 +765,7 @@ static int look(deep *d, const char *scene, const box *boxes, int count, const k
     return 1;
 }
 
-/* A method of surfels on such a scene. */
+/* Opens a run of a surfel method on such a scene. */
 static int dive(deep *d, const char *scene, const box *boxes, int count, const kit_camera *camera, int w, int h,
                 const char *method, const char *set, float radius, const kit_lighting *lighting)
 {
@@ -781,7 +781,7 @@ static void surface(deep *d)
     kit_scene_free(&d->scene);
 }
 
-/* Position and normal of a pixel, the top row first; returns 0 for the background. */
+/* Writes position and normal of a pixel, the top row first. Returns 0 for the background. */
 static int seen(const deep *d, int i, float p[3], float n[3])
 {
     const size_t pixels = (size_t)d->frame.width * (size_t)d->frame.height;
@@ -793,7 +793,7 @@ static int seen(const deep *d, int i, float p[3], float n[3])
     return 1;
 }
 
-/* The surfels in one of the run's buffers. */
+/* Reads the surfels in one of the run's buffers. */
 static ssgi_surfel *held(const deep *d, int buffer)
 {
     ssgi_surfel *s = malloc((d->run.surfels + 1) * sizeof *s);
@@ -821,7 +821,7 @@ static int by_seed(const void *a, const void *b)
                                              : s->position[0] > t->position[0];
 }
 
-/* Triangles of all 64 levels, before an orthographic camera. Each has the area of as many discs as its level makes. */
+/* Makes triangles of all 64 levels, before an orthographic camera, of the area of as many discs as a level has. */
 static void every_level(deep *d, double size)
 {
     kit_mesh *m = &d->scene.mesh;
@@ -835,7 +835,7 @@ static void every_level(deep *d, double size)
     m->triangles = 64;
 }
 
-/* Tessellation shaders make the CPU's surfels, and the pictures of all three ways agree. */
+/* Checks that tessellation shaders make the CPU's surfels, and that the pictures of all three ways agree. */
 static void three_ways(void)
 {
     static const char *const ways[] = { "cpu", "capture", "direct" };
@@ -863,7 +863,7 @@ static void three_ways(void)
         ssgi_surfel *s[2] = { held(&d[0], 0), held(&d[1], 1) };
         size_t n[2] = { d[0].run.surfels, 0 }, i = 0, k = 0, same = 0;
         double worst = 0, rmse[2];
-        /* surfels that another one stands for have radius 0 */
+        /* surfels that another one stands for must have radius 0 */
         for (size_t p = 0; p < d[1].run.surfels; ++p) if (s[1][p].radius > 0) s[1][n[1]++] = s[1][p];
         for (int a = 0; a < 2; ++a) qsort(s[a], n[a], sizeof *s[a], by_seed);
         while (i < n[0] && k < n[1]) {
@@ -889,8 +889,8 @@ static void three_ways(void)
     }
 }
 
-/* SSGI_GL_PASS_INTERLEAVE: each level has each pixel once, at a random texel of its block. At half resolution only the
-   first pixel of every 2x2 counts, at a quarter that of every 4x4. */
+/* Checks SSGI_GL_PASS_INTERLEAVE: each level has each pixel once, at a random texel of its block. At half resolution
+   only the first pixel of every 2x2 counts, at a quarter that of every 4x4. */
 static void interleaving(void)
 {
     enum { W = 53, H = 37, LEVELS = 5 };
@@ -945,15 +945,15 @@ static void interleaving(void)
     }
 }
 
-/* Surfels, and a method's settings for them. mean: over a pixel's neighbours and phases: sub-buffers do not matter. */
+/* Surfels, and a method's settings for them. mean: over neighbours and phases, so sub-buffers do not matter. */
 typedef struct splatted {
     const ssgi_surfel *s;
     size_t count;
     int levels, hard, enlarge, added, mean;
 } splatted;
 
-/* The value that a surfel adds to a pixel (y from the bottom) on the level of its shell. It counts only in its own
-   sub-buffer, and there as many times as there are sub-buffers; with mean once, in all. */
+/* Returns the value that a surfel adds to a pixel (y from the bottom) on the level of its shell. It counts only in its
+   own sub-buffer, and there as many times as there are sub-buffers; with mean once, in all. */
 static double brought(const deep *d, const splatted *of, const ssgi_surfel *s, int x, int y, const float p[3],
                       const float n[3])
 {
@@ -975,8 +975,8 @@ static double brought(const deep *d, const splatted *of, const ssgi_surfel *s, i
     return (double)form_factor(&wide, p, n) * fade * (of->enlarge ? 1 : 1 << 2 * l);
 }
 
-/* SSGI_GL_PASS_DSS, _DEINTERLEAVE and _SUM: the difference between a picture and that sum over all surfels, at every
-   step-th pixel; most: the largest sum. A pixel without a surface is 1. */
+/* How far SSGI_GL_PASS_DSS, _DEINTERLEAVE and _SUM are off that sum over all surfels, at every step-th pixel of a
+   picture; most: the largest sum. A pixel without a surface is 1. */
 typedef struct offset { double worst, most, rmse, bias, dark; int off, pixels; } offset;
 
 static offset compared(const deep *d, const kit_image *out, const splatted *of, int step)
@@ -1005,9 +1005,9 @@ static offset compared(const deep *d, const kit_image *out, const splatted *of, 
     return o;
 }
 
-/* A scene's surfels: each pixel is the sum over the surfels of its own sub-buffers, and smoothed pixels are so in the
-   mean. A picture without surfel buffers (way=direct) is compared with the CPU's surfels. in_turn: surfels may also be
-   numbered as in the paper, instead of by a hash: on each level the k-th goes to sub-buffer k modulo 4^level. */
+/* Checks that each pixel is the sum over the surfels of its own sub-buffers, and smoothed pixels are so in the mean. A
+   picture without surfel buffers (way=direct) is compared with the CPU's surfels. in_turn: surfels may also be numbered
+   as in the paper, instead of by a hash: on each level the k-th goes to sub-buffer k modulo 4^level. */
 static void as_brute_force(void)
 {
     static const struct { const char *set; splatted of; int orthographic, in_turn; float radius;
@@ -1037,7 +1037,7 @@ static void as_brute_force(void)
         of.s = s;
         of.count = strstr(set, "direct") ? cpu.run.surfels : d.run.surfels;
         for (size_t k = 0; k < of.count && row[m].in_turn; ++k) {
-            uint32_t seed = 0;                                                 /* its low bytes: column, row */
+            uint32_t seed = 0;                                                 /* its low bytes are column and row */
             for (int l = 0; l < 8; ++l)
                 seed |= (uint32_t)(k >> 2 * l & 1) << l | (uint32_t)(k >> (2 * l + 1) & 1) << (8 + l);
             s[k].seed = (float)seed / 16777216;
@@ -1059,7 +1059,7 @@ static void as_brute_force(void)
     kit_scene_free(&scene);
 }
 
-/* A surfel at a place of the world, facing a direction. */
+/* Returns a surfel at a point of the world, facing a direction. */
 static ssgi_surfel placed(const deep *d, float x, float y, float z, float nx, float ny, float nz, float radius,
                           float seed)
 {
@@ -1084,8 +1084,8 @@ static int of_these(kit_image *out, deep *d, const ssgi_surfel *s, size_t count)
 
 static const box block = { { -0.3f, 0, -0.3f }, { 0.3f, 0.6f, 0.3f } };
 
-/* Surfels beside the picture, behind the eye, hidden, across the near plane: each darkens the surface that it faces as
-   much as it would in view. Its back does nothing. */
+/* Checks surfels beside the picture, behind the eye, hidden, across the near plane: each darkens the surface that it
+   faces as much as it would in view. Its back does nothing. */
 static void unseen(void)
 {
     for (int m = 0; m < 2; ++m) {
@@ -1123,7 +1123,7 @@ static void unseen(void)
     }
 }
 
-/* Surfels one behind another take shares of the rest, or add up to 1 at most. */
+/* Checks that surfels one behind another take shares of the light that is left, or add up to 1 at most. */
 static void overlap(void)
 {
     for (int added = 0; added < 2; ++added) {
@@ -1145,7 +1145,7 @@ static void overlap(void)
     }
 }
 
-/* Occlusion by the test's own GLSL: a disc's reach and form factor. */
+/* The test's own GLSL of occlusion: a disc's reach and form factor. */
 static const char disc[] =
     "float ssgi_custom_reach(vec3 position, vec3 normal, float radius, vec3 colour, float epsilon) {\n"
     "    return radius * sqrt(1.0 / epsilon - 1.0);\n"
@@ -1161,8 +1161,8 @@ static const char reaches_nowhere[] =
     "float ssgi_custom_reach(vec3 p, vec3 n, float r, vec3 c, float e) { return 0.0; }\n"
     "vec4 ssgi_custom_effect(vec3 p, vec3 n, float r, vec3 c, vec3 P, vec3 m) { return vec4(1.0); }\n";
 
-/* What a custom effect brings equals what the library's own brings, on one level, on several and enlarged. Its channels
-   are separate, and an effect without reach adds nothing. */
+/* Checks that what a custom effect brings equals what the library's own brings, on one level, on several and enlarged.
+   Its channels are separate, and an effect without reach adds nothing. */
 static void custom(void)
 {
     static const char *const sets[] = { "levels=1", "levels=4,way=direct", "levels=4,enlarge=1",
@@ -1196,8 +1196,8 @@ static void custom(void)
     }
 }
 
-/* A white plane of surfels under a white sky: the light that leaves it is the dipole's total, also if surfels are wider
-   than the light goes deep. */
+/* Checks a white plane of surfels under a white sky: the light that leaves it is the dipole's total, also if surfels
+   are wider than the light goes deep. */
 static void scattering(void)
 {
     enum { ROW = 200 };
@@ -1244,7 +1244,7 @@ static void scattering(void)
     kit_image_free(&l.env);
 }
 
-/* Surfels with two sides, light below the surface and one's own effect also reach places behind a surfel. */
+/* Checks that surfels of two sides, light below the surface and one's own effect also reach behind a surfel. */
 static void turned_over(void)
 {
     static const char even[] =
@@ -1277,7 +1277,7 @@ static void turned_over(void)
     kit_image_free(&l.env);
 }
 
-/* At half resolution the filtered picture is near that of full resolution, with and without slices near by. */
+/* Checks that a filtered picture of half resolution is near full resolution's, with and without slices. */
 static void half_size(void)
 {
     static const char *const channels[3][3] = { { "Y" },
@@ -1316,7 +1316,7 @@ static void half_size(void)
     kit_image_free(&l.env);
 }
 
-/* A floor within a surfel's radius of a wall. Surfels alone leave it too bright, but slices see the wall. */
+/* Checks a floor within a surfel's radius of a wall. Surfels alone leave it too bright, but slices see the wall. */
 static void creases(void)
 {
     double rmse[2];
@@ -1347,9 +1347,10 @@ static void creases(void)
     t_note("%d pixels: RMSE %.4f, of surfels alone %.4f", pixels, rmse[1], rmse[0]);
 }
 
-/* Surfels send 2^-octaves..1, as many in each octave, and their size makes their flux a power of that. Half of the flux
-   is sent above ((1 + 2^(-octaves power)) / 2)^(1 / power). Bins of h = 1/8 octave, in which flux counts as even, have
-   an error of the logarithm of at most power h^2 / 8, an exponential's distance from its chord; or one surfel more. */
+/* Checks surfels that send 2^-octaves..1, as many in each octave, and their size makes their flux a power of that. Half
+   of it is sent above ((1 + 2^(-octaves power)) / 2)^(1 / power). Bins of h = 1/8 octave, in which flux counts as even,
+   have an error of the logarithm of at most power h^2 / 8, an exponential's distance from its chord; or one surfel
+   more. */
 static void sent_by_half(void)
 {
     enum { N = 1 << 14 };
@@ -1378,8 +1379,8 @@ static void sent_by_half(void)
     }
 }
 
-/* One surfel alone in its bin counts at the bin's middle, 1/16 octave below what it sends in its largest component:
-   colour times irradiance over pi. */
+/* Checks that one surfel alone in its bin counts at the bin's middle, 1/16 octave below what it sends in its largest
+   component: colour times irradiance over pi. */
 static void sent_by_one(void)
 {
     static const ssgi_surfel surfel = { .position = { 1, 2, -5 }, .radius = 0.1f, .normal = { 0, 0, 1 },
@@ -1388,7 +1389,7 @@ static void sent_by_one(void)
 #define MAP(x, y, z) \
     .tile = { 3, 5, 8, 8 }, \
     .map = { { (x) * (z), 0, 0, 0 }, { 0, (y) * (z) / 2, 0, 0 }, { 0, 0, (z) / -10.0f, (z) / 2.0f } }
-#define SIDE 1, 5, -1 /* 5 away: 4/5 of it along the surfel's normal */
+#define SIDE 1, 5, -1 /* at a distance of 5, 4/5 of it along the surfel's normal */
     static const struct { const char *what; ssgi_gl_light light; double facing; int sky;
     } row[] = {
         { "a sun", { .at = { 0, 0.6f, 0.8f } }, 0.8, 0 },
@@ -1431,8 +1432,8 @@ static void sent_by_one(void)
 #undef SIDE
 }
 
-/* Without slices every surfel sends its colour times the white sky that it sees. The bounce is albedo times the missing
-   light, by the sky's brightness. Without the bounce the light is the same, and its truth has no bounce, either. */
+/* Checks that without slices surfels send their colour times the white sky they see. The bounce is albedo times the
+   missing light, by the sky's brightness. Without it the light is the same, and the truth has no bounce, either. */
 static void sky_returned(void)
 {
     static const struct { const char *set; float sky; } row[] = { { "span=0,size=0.05,bounce=none", 1 },

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* A desc in words: a pass and fields, such as "s3ho,search=points,layers=2". */
+/* Returns a desc in words: a pass and fields, such as "s3ho,search=points,layers=2". */
 static ssgi_gl_desc desc_of(const char *words)
 {
     const size_t length = strcspn(words, ",");
@@ -43,11 +43,11 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
     memcpy((char *)d + c->offset, &value, sizeof value);
 }
 
-/* How many values of a field variants have, from 0 on: all words; of a count only the first few. */
+/* Returns how many values of a field variants have, from 0 on: all words; of a count only the first few. */
 static int values_of(const ssgi_gl_choice *c)
 {
     const int own = !strncmp(c->field, "shader.", 7) || !strcmp(c->name, "pass") || !strcmp(c->name, "search")
-                    || !strcmp(c->name, "tessellate");      /* set by shapes and by dialects */
+                    || !strcmp(c->name, "tessellate");      /* fields that shapes and dialects set */
     return own ? 0 : *c->values || c->most < 3 ? c->most + 1 : c->most < 5 ? 4 : 3;
 }
 
@@ -62,7 +62,7 @@ static const char *describe(const ssgi_gl_desc *d)
     return text;
 }
 
-/* The stages of a pass, one bit each. */
+/* Returns the stages of a pass, one bit each. */
 static int stages_of(const ssgi_gl_desc *d)
 {
     const int tessellated = d->surfel.tessellate && (d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_DSS);
@@ -72,7 +72,7 @@ static int stages_of(const ssgi_gl_desc *d)
            | (tessellated && d->pass == SSGI_GL_PASS_DSS ? 1 << SSGI_GL_STAGE_GEOMETRY : 0);
 }
 
-/* The shader of a stage, or "" if the pass does not have it. */
+/* Returns the shader of a stage, or "" if the pass does not have it. */
 static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
 {
     size_t n = ssgi_gl_emit(text, TEXT, d, stage);
@@ -81,13 +81,13 @@ static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
     return text;
 }
 
-/* Whether the vertex stage draws more than a triangle. */
+/* Returns whether the vertex stage draws more than a triangle. */
 static int has_vertices(const ssgi_gl_desc *d)
 {
     return d->pass == SSGI_GL_PASS_AOF || d->pass == SSGI_GL_PASS_SURFELS || d->pass == SSGI_GL_PASS_DSS;
 }
 
-/* A set of hashes. Returns whether it had this one, and adds it. */
+/* A set of hashes. had() returns whether it had this one, and adds it. */
 typedef struct set_of { uint64_t hash[1 << 15]; int count; } set_of;
 static int had(set_of *s, const char *text, size_t n)
 {
@@ -99,7 +99,7 @@ static int had(set_of *s, const char *text, size_t n)
     return 0;
 }
 
-/* A desc of a shape with random values in the fields that it looks at. */
+/* Returns a desc of shape t with random values in the fields that it looks at. */
 static ssgi_gl_desc drawn(int t)
 {
     ssgi_gl_desc d = shape[t];
@@ -114,11 +114,11 @@ static ssgi_gl_desc drawn(int t)
     return d;
 }
 
-/* Whether some variant of the shape has both of two values of fields, after these are resolved. */
+/* Bits of whether some variant of the shape has both of two values of fields, after these are resolved. */
 enum { VALUES = 16 };
 static char together[VALUES * SSGI_GL__FIELDS][VALUES * SSGI_GL__FIELDS];
 
-/* How many pairs of values a desc has that no variant has. take: marks them as had. */
+/* Returns how many pairs of values a desc has that no variant has. take: marks them as had. */
 static int fresh_pairs(const ssgi_gl_desc *d, int take)
 {
     const ssgi_gl_desc resolved = ssgi_gl_resolve(d);
@@ -133,7 +133,7 @@ static int fresh_pairs(const ssgi_gl_desc *d, int take)
     return fresh;
 }
 
-/* Whether a desc has a line that the set did not have; adds its lines. */
+/* Returns whether a desc has a line that the set did not have; adds its lines. */
 static int has_new_line(set_of *lines, const ssgi_gl_desc *d)
 {
     static char text[TEXT];
@@ -144,9 +144,9 @@ static int has_new_line(set_of *lines, const ssgi_gl_desc *d)
     return lines->count > before;
 }
 
-/* A search or a tessellator is a shape if it changes the plain shader. Of a few random descs of a shape the one with
-   the most new pairs is taken, until none has a new pair; then descs with a new line, which depends on more than two
-   fields; with T_ALL as many random ones, for combinations of three. */
+/* Makes the variants. A search or a tessellator is a shape if it changes the plain shader. Of a few random descs of a
+   shape the one with the most new pairs is taken, until none has a new pair; then descs with a new line, which depends
+   on more than two fields; with T_ALL as many random ones, for combinations of three. */
 static void make_variants(void)
 {
     enum { TRIES = 8, STALE = 4, MORE = 60 };
@@ -199,13 +199,13 @@ static int is_es(const ssgi_gl_desc *d)
     return d->shader.dialect >= SSGI_GL_DIALECT_300ES && d->shader.dialect <= SSGI_GL_DIALECT_320ES;
 }
 
-/* The functions of pass AOF, or those that read the pass's result; 0: it has none. */
+/* Writes the functions of pass AOF, or those that read the pass's result; 0: it has none. */
 static size_t toolbox_of(char *out, size_t capacity, const ssgi_gl_desc *d)
 {
     return d->pass == SSGI_GL_PASS_AOF ? ssgi_gl_field(out, capacity, d) : ssgi_gl_read(out, capacity, d);
 }
 
-/* The shader of a stage; PROGRAM: all stages, one after another; TOOLBOX: toolbox_of, with a main that calls it. */
+/* Emits a stage's shader; PROGRAM: all stages, one after another; TOOLBOX: toolbox_of, and a main that calls it. */
 static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
 {
     if (stage == PROGRAM)
@@ -241,7 +241,7 @@ static void speak_once(const ssgi_gl_desc *d, int stage)
     spoken[texts++].stage = stage;
 }
 
-/* Gives a desc a dialect of desktop GL, ES or Vulkan; 0: it has none of these, as surfels have none for Vulkan. */
+/* Gives a desc a dialect of desktop GL, ES or Vulkan; returns 0 if it has none, as surfels lack Vulkan's. */
 static int takes(ssgi_gl_desc *d, int way, int turn)
 {
     for (int k = 0; k < 3; ++k) {
@@ -267,7 +267,7 @@ static void speak(void)
     for (int i = 0; i < 3 * variants; ++i) {
         ssgi_gl_desc d = variant[i / 3];
         const int first = i / 3;
-        int turn = first % 3;                  /* the kind of dialect, if the desc has one of it */
+        int turn = first % 3;                  /* which dialect comes next, if the desc has it */
         for (int k = 0; k < 2 && !takes(&d, turn, first); ++k) turn = (turn + 1) % 3;
         if ((!t_all() && i % 3 != turn) || !takes(&d, i % 3, first)) continue;
         d.shader.lines = first % 8 == 0;
@@ -283,7 +283,7 @@ static void speak(void)
     }
 }
 
-/* of the stages' files, then of TOOLBOX's */
+/* endings of the stages' files, then of TOOLBOX's */
 static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "comp", "frag" };
 
 /* Compiles many files in a call, as a call takes a fifth of a second. For Vulkan (v) glslang links all files of a call,
@@ -321,7 +321,7 @@ static void *glslang_run(void *folder)
     return NULL;
 }
 
-/* A program of d's stages, with the outputs that transform feedback keeps. */
+/* Links a program of d's stages, with the outputs that transform feedback keeps. */
 static GLuint linked(const ssgi_gl_desc *d)
 {
     static char text[SSGI_GL_STAGES][TEXT];
@@ -369,7 +369,7 @@ static int compiles(const ssgi_gl_desc *d, int stage)
     return CHECK(ok, "%s: %s", describe(d), log);
 }
 
-static int desktop;                        /* 1: a context of desktop GL is open until the end */
+static int desktop;                        /* 1: a context of desktop GL stays open until the end */
 
 static void compilers(void)
 {
@@ -408,7 +408,7 @@ static void compilers(void)
 
 /* ---- >>law: snprintf's ------------------------------------------------------------------------------------------- */
 
-/* Shader number k: first stages of some variants, then the functions that stand alone. */
+/* Emits shader number k: first stages of some variants, then the functions that stand alone. */
 static size_t any_text(int k, char *out, size_t capacity)
 {
     const ssgi_gl_desc *const d = &variant[k * (variants / 40)];
@@ -452,7 +452,7 @@ static void same_bytes(void)
                                          "fr_FR.utf8",  "nl_NL.UTF-8", "it_IT.UTF-8" };
     const char *with = NULL;
     ssgi_gl_desc a = { .shader.version = "#version 330 core\n", .shader.fetch = T_FETCH },
-                 b = a; /* ssao has the kernel's numbers */
+                 b = a; /* ssao's shader holds the kernel's numbers, and so is long */
     char version[] = "#version 330 core\n", fetch[] = T_FETCH;
     b.shader.version = version;
     b.shader.fetch = fetch;
@@ -475,8 +475,8 @@ static void same_bytes(void)
 
 /* ---- >>reflection ------------------------------------------------------------------------------------------------ */
 
-/* GL agrees with the rows of a linked program: offsets in the block, bindings without a call if the dialect has them.
-   Every texture is read, and nothing lacks a row. */
+/* Checks that GL agrees with the rows of a linked program: offsets in the block, bindings without a call if the dialect
+   has them. Every texture is read, and nothing lacks a row. */
 static void ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
     static const struct { const char *name; size_t most; } blocks[] = { { "ssgi_frame", sizeof(ssgi_gl_frame) },
@@ -522,8 +522,8 @@ static void ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
     glDeleteProgram(program);
 }
 
-/* Each texture has its own unit, or in Vulkan's dialect its own binding, apart from the blocks. Outputs, attributes and
-   captures are numbered from 0 on. A constant is declared with its value. */
+/* Checks that each texture has its own unit, or in Vulkan's dialect its own binding, apart from the blocks. Outputs,
+   attributes and captures are numbered from 0 on. A constant is declared with its value. */
 static void check_places(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows, const char *fragment)
 {
     const int vulkan = d->shader.dialect == SSGI_GL_DIALECT_VULKAN;
@@ -557,7 +557,7 @@ static void reflection(void)
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.shader.dialect = i % SSGI_GL_DIALECTS;
         placed(&d, i / SSGI_GL_DIALECTS);
-        if (!t_all() && i % 5) continue;    /* the dialects in turn, as their number is no multiple of 5 */
+        if (!t_all() && i % 5) continue;    /* one in five: dialects take turns, as their number is no multiple of 5 */
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* no tessellation there */
         const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
         check_places(&d, row, rows, emit(text, &d, SSGI_GL_STAGE_FRAGMENT));
@@ -577,8 +577,8 @@ static void reflection(void)
           "reflection of nothing");
 }
 
-/* With loose uniforms the rows are the same, and so is the shader behind its declarations. A compiler finds a missing
-   declaration; the test "what is off leaves nothing" finds one too many. */
+/* Checks that with loose uniforms the rows are the same, and so is the shader behind its declarations. A compiler finds
+   a missing declaration; the test "what is off leaves nothing" finds one too many. */
 static void loose_uniforms(void)
 {
     static char text[TEXT], got[TEXT];
@@ -606,7 +606,7 @@ static void loose_uniforms(void)
 
 /* ---- >>vulkan ---------------------------------------------------------------------------------------------------- */
 
-/* The set and the binding of a name in SPIR-V, as 100 * set + binding; -1: it has none. */
+/* Returns the set and the binding of a name in SPIR-V, as 100 * set + binding; -1: it has none. */
 static int place_in(const uint32_t *word, size_t words, const char *name)
 {
     enum { NAME = 5, DECORATE = 71, VARIABLE = 59, POINTER = 32, BINDING = 33, SET = 34 };
@@ -629,7 +629,7 @@ static int place_in(const uint32_t *word, size_t words, const char *name)
     return set < 0 || binding < 0 ? -1 : 100 * set + binding;
 }
 
-/* Whether a shader uses a word that it declares, such as a member of a block. */
+/* Returns whether a shader uses a word that it declares, such as a member of a block. */
 static int reads(const char *text, const char *word)
 {
     int times = 0;
@@ -637,8 +637,8 @@ static int reads(const char *text, const char *word)
     return times > 1;
 }
 
-/* In SPIR-V that glslang makes of all linked stages for Vulkan, the block and the textures of the fragment stage have
-   the sets and bindings of their rows. Returns how many. */
+/* Checks that in SPIR-V that glslang makes of all linked stages for Vulkan, the block and the textures of the fragment
+   stage have the sets and bindings of their rows. Returns how many. */
 static int asked_of_spirv(const char *in, const ssgi_gl_desc *d, const char *name, int place)
 {
     static char text[TEXT];
@@ -671,7 +671,7 @@ static int asked_of_spirv(const char *in, const ssgi_gl_desc *d, const char *nam
 
 static void places_in_spirv(void)
 {
-    /* place: 100 * set + binding. */
+    /* place: where SPIR-V has the name, 100 * set + binding. */
     static const struct { const char *desc, *name; int place; } row[] = {
         { "hsao,block_set=3,texture_set=2,dense=1,depth=linear", "t_ssgi_depth", 200 },
         { "hsao,block_set=3,texture_set=2,dense=1,depth=linear", "ssgi_frame", 300 },
@@ -687,7 +687,7 @@ static void places_in_spirv(void)
         d.shader.dialect = SSGI_GL_DIALECT_VULKAN;
         told += asked_of_spirv(folder, &d, row[i].name, row[i].place);
     }
-    for (int i = 0; i < variants; ++i) {                   /* stages with a varying besides the position */
+    for (int i = 0; i < variants; ++i) {                   /* adds stages that have a varying besides the position */
         ssgi_gl_desc d = variant[i];
         if (!has_vertices(&d) || !takes(&d, 2, 0) || (programs++ % 12 && !t_all())) continue;
         placed(&d, i);
@@ -698,8 +698,8 @@ static void places_in_spirv(void)
     CHECK(!system(line), "%s", line);
 }
 
-/* examples/tools/glsl/translate.sh: in every language each texture is at its binding, members of blocks keep their
-   names, and vertex stages flip y. */
+/* Checks examples/tools/glsl/translate.sh: in every language each texture is at its binding, members of blocks keep
+   their names, and vertex stages flip y. */
 static void translated(void)
 {
     static const struct { const char *ending, *texture, *turned, *has, *tool; } into[] = {
@@ -756,8 +756,8 @@ static void translated(void)
 
 /* ---- >>names ----------------------------------------------------------------------------------------------------- */
 
-/* Whether a shader uses every name of ours that it declares; compilers check the reverse. An output of a stage counts
-   as used in the next one; a global variable must be read as well. Members of a block may be unused. */
+/* Returns whether a shader uses every name of ours that it declares; compilers check the reverse. An output of a stage
+   counts as used in the next one; a global variable must be read as well. Members of a block may be unused. */
 static int all_used(const char *text, const char *of)
 {
     enum { KNOWN = 400 };
@@ -847,7 +847,7 @@ static int reserved_words_read(void)
     return used > 4000 && used < sizeof reserved_words - 64;
 }
 
-static int reserved(const char *word, size_t n)            /* in any language, except for words of ours */
+static int reserved(const char *word, size_t n)            /* in any language; our own words are excepted */
 {
     char key[64];
     if (n > 60) return 1;
@@ -899,7 +899,7 @@ static void lint(void)
 
 #define NAMES(sentence, start) (strncmp(sentence, start, strlen(start)) == 0)
 
-/* How a sentence must begin; NULL: the desc is accepted. Sentences on desc.shader.fetch are of a desc without one. */
+/* Descs and how the sentence on each must begin; NULL: it is accepted. Those on desc.shader.fetch lack one. */
 static const struct { const char *start, *desc; } rules[] = {
     { "desc.gather.normal_rays:", "hsao,normal_rays=1" },
     { "desc.input.world_normals:", "ssao,normal=from_depth,world_normals=1" },
@@ -970,7 +970,7 @@ static const struct { const char *start, *desc; } rules[] = {
     { NULL, "shade,bands=1,packed_coefficients=1,transfer=2" }
 };
 
-/* Breaks each limit and each rule. A preset refuses a desc as the check does. */
+/* Breaks each limit and each rule. A preset must refuse a desc as the check does. */
 static void sentences(void)
 {
     char broken[sizeof ssgi_gl__refusals / sizeof *ssgi_gl__refusals] = { 0 };
@@ -1081,7 +1081,7 @@ static void frames(void)
     CHECK(light == 0.0f, "a frame's light is not black");
 }
 
-/* A desc, and the same with its defaults written out and with fields that it does not look at. */
+/* Checks that a desc equals the same one with its defaults written out and with fields that it does not look at. */
 static void defaults(void)
 {
     static const struct { const char *plain, *more; } rows[] = {
@@ -1144,7 +1144,7 @@ static void defaults(void)
 
 /* ---- >>complete: a part that is missing is named ----------------------------------------------------------------- */
 
-/* Every field in the header's structs is in the library's table, and the comment of a count has the table's limit. */
+/* Checks that every field in the header is in the library's table, and that a count's comment has its limit. */
 static void every_field(void)
 {
     char *header, name[64], type[64], group[64] = "", field[160], limit[40], end_ = 0;
@@ -1176,7 +1176,7 @@ static void every_field(void)
     CHECK(found == SSGI_GL__FIELDS, "%d fields in the header, %d in ssgi_gl__fields", found, SSGI_GL__FIELDS);
 }
 
-/* Every line and every row of the library are in a compiled shader. */
+/* Checks that every line and every row of the library are in a compiled shader. */
 static void every_line(void)
 {
     static char text[SSGI_GL_STAGES * TEXT], line_of[400];
@@ -1213,7 +1213,7 @@ static void every_line(void)
               ssgi_gl__rows[r].io.name, ssgi_gl__rows[r].io.format);
 }
 
-/* The passes of a chain's steps. No step reads a texture that it writes. */
+/* Returns the passes of a chain's steps as bits. No step may read a texture that it writes. */
 static uint64_t passes_of(const ssgi_gl_chain *chain)
 {
     static ssgi_gl_step step[128];
@@ -1231,8 +1231,8 @@ static uint64_t passes_of(const ssgi_gl_chain *chain)
     return passes;
 }
 
-/* The passes that ssgi_gl_steps draws for chains that together use everything: each method by its name, and each pass
-   alone, with and without each part that a chain may add. */
+/* Returns the passes that ssgi_gl_steps draws for chains that together use everything: each method by its name, and
+   each pass alone, with and without each part that a chain may add. */
 static uint64_t drawn_passes(void)
 {
     const ssgi_gl_method *method;
@@ -1256,7 +1256,7 @@ static uint64_t drawn_passes(void)
     return passes;
 }
 
-/* Every pass has its section of PASSES.md, steps that draw it, and a group that tests it. */
+/* Checks that every pass has its section of PASSES.md, steps that draw it, and a group that tests it. */
 static void every_pass(void)
 {
     char *passes;

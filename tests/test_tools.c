@@ -6,7 +6,7 @@
 
 static char said[8000];
 
-/* Runs a shell line in the folder; said is its output. $T is the repository, $R its build/render, $G its
+/* Runs a shell line in the folder; said gets its output. $T is the repository, $R its build/render, $G its
    build/glsl-text, $C its capture.py. Returns the status. */
 static int run(const char *line) { return shell(said, sizeof said, "%s%s", line, ""); }
 
@@ -54,7 +54,7 @@ static int read_image(kit_image *image, kit_header *header, const char *name)
                  err.text);
 }
 
-/* examples/minimal.c draws the same picture on the CPU with OSMesa's header and without it. */
+/* Checks that examples/minimal.c draws the same picture on the CPU with OSMesa's header and without it. */
 static void minimal(void)
 {
     static const struct { const char *header, *line; } ways[] = {
@@ -81,8 +81,8 @@ static void minimal(void)
     CHECK(ran, "neither OSMesa nor EGL is here");
 }
 
-/* Without OSMesa, whose library empty files replace, the default context is EGL's, and draws the same. A call for
-   OSMesa is refused. */
+/* Checks that without OSMesa, whose library empty files replace, the default context is EGL's, and draws the same. A
+   call for OSMesa is refused. */
 static void without_osmesa(void)
 {
     static const refusal asked[] = { { "room --size 8x8 --context osmesa --out a.exr", "libOSMesa.so is not there" } };
@@ -96,7 +96,7 @@ static void without_osmesa(void)
     REFUSED("LD_LIBRARY_PATH=lacks $R", asked);
 }
 
-/* Each room is a file, without C's quotes, and its conditions are in pairs. All main functions are there. */
+/* Checks that each room is a file, without C's quotes, its conditions in pairs; all main functions are there. */
 static void rooms_as_files(void)
 {
     works("MAKEFLAGS= make -s -C $T glsl-out DIR=$PWD/glsl && ! grep -n '\"' glsl/*.glsl && cd glsl && "
@@ -105,7 +105,7 @@ static void rooms_as_files(void)
           "test $(cat * | grep -c '^void main()') = $(grep -c '^ *\"void main()' ../ssgi_gl.h)");
 }
 
-/* Every file belongs to a variant, every variant has its files, and members fill their blocks. */
+/* Checks that every file belongs to a variant, every variant has its files, and members fill their blocks. */
 static void manifest(void)
 {
     static const char *const check =
@@ -273,7 +273,7 @@ static void own_chain(void)
     REFUSED("$G --chain", wrong);
 }
 
-/* The headers without a C library, in node: every shader and row of the manifest, blocks as in C, errors. */
+/* Checks the headers without a C library, in node: every shader and row of the manifest, blocks as in C, errors. */
 static void wasm(void)
 {
     static const char *const blocks =
@@ -380,7 +380,7 @@ static void wasm(void)
     works("node wasm.mjs $T/build/wasm $T");
 }
 
-/* Other tools can use the packages of make install and make npm. */
+/* Checks that other tools can use the packages of make install and make npm. */
 static void packages(void)
 {
     static const char *const program =
@@ -465,7 +465,7 @@ static void packages(void)
                "test $(wc -c <out/used.js) -gt 10000");
 }
 
-/* make dist gives the same bytes each time, and what is in its archives serves CMake and Meson. */
+/* Checks that make dist gives the same bytes each time, and that its archives serve CMake and Meson. */
 static void release(void)
 {
     static const char *const program = "#define SSGI_IMPLEMENTATION\n#include <ssgi.h>\n"
@@ -511,7 +511,7 @@ static void release(void)
     }
 }
 
-/* Readers of C headers in other languages: constants have the fields' type, and a call works. */
+/* Checks readers of C headers in other languages: constants have the fields' type, and a call works. */
 static void bindings(void)
 {
     static const char *const script =
@@ -538,7 +538,7 @@ static void bindings(void)
               "grep -q 'pub pass: ssgi_gl_pass' bind.rs");
 }
 
-/* ssgi_gl_method_at in each language that can use the headers or the module. */
+/* Checks ssgi_gl_method_at in each language that can use the headers or the module. */
 static void methods_anywhere(void)
 {
     static const char *const c =
@@ -577,7 +577,7 @@ static void methods_anywhere(void)
           "cmp c99.txt c++20.txt && python3 methods.py | cmp c99.txt && node methods.mjs $T | cmp c99.txt");
 }
 
-/* One small picture of each method, with the kit under address and undefined-behaviour sanitizers. */
+/* Draws one small picture of each method, with the kit under address and undefined-behaviour sanitizers. */
 static void sanitized(void)
 {
     kit_method m;
@@ -590,7 +590,7 @@ static void sanitized(void)
     }
 }
 
-/* Output that cannot be written: status 2, one line. Unusual files that can be read or written are. */
+/* Checks output that cannot be written: status 2, one line. Unusual files that can be read or written are. */
 static void streams(void)
 {
     static const refusal lost[] = {
@@ -610,7 +610,7 @@ static void streams(void)
     works("$R cr.obj --size 8x8 --out cr.exr && test -s cr.exr");
 }
 
-/* Each setting of each method, with values beyond its limits and with no word of it. */
+/* Tries each setting of each method, with values beyond its limits and with no word of it. */
 static void settings(void)
 {
     kit_method m;
@@ -633,7 +633,7 @@ static void settings(void)
     CHECK(tried > 1000, "%d settings", tried);
 }
 
-/* Bad command lines and files: status 2, one line that names the argument or file, no file left behind. */
+/* Tries bad command lines and files: status 2, one line that names the argument or file, no file left behind. */
 static void command_line(void)
 {
     static const refusal cases[] = {
@@ -759,7 +759,7 @@ static void command_line(void)
     works("$R --sequence own.txt --set history=1 --out o%d.exr && test -s o2.exr");
 }
 
-/* The error of a picture against another, as render prints it; below 0: it prints something else. */
+/* Returns the error of a picture against another, as render prints it; below 0: it prints something else. */
 static double errs_by(const char *arguments, const char *reference)
 {
     char line[700];
@@ -768,7 +768,7 @@ static double errs_by(const char *arguments, const char *reference)
     return CHECK(rmse, "%s: %s", line, said) ? strtod(rmse + 8, NULL) : -1;
 }
 
-/* A floor and a wall of this size at a place. */
+/* Writes a model of a floor and a wall of this size at a place. */
 static void write_corner(const char *name, double size, double x, double y, double z)
 {
     static const double corner[8][3] = { { -2, 0, 2 }, { 2, 0, 2 }, { 2, 0, -2 }, { -2, 0, -2 },
@@ -781,7 +781,7 @@ static void write_corner(const char *name, double size, double x, double y, doub
     write_text(name, text);
 }
 
-/* A cube of eight smooth normals is convex, so nothing occludes its faces. With other normals something does. */
+/* Checks normals: a cube with eight smooth ones is convex, so nothing occludes its faces; with others it does. */
 static void normals_are_told(void)
 {
     static const char cube[] =
@@ -817,8 +817,8 @@ static void draw(const char *arguments, const char *out)
     works(line);
 }
 
-/* A scene's picture equals that of its saved frame alone, up to the rounding of depths, which changes a few pixels on
-   edges. Light shows whether the camera looks the same way in the world. */
+/* Checks that a scene's picture equals that of its saved frame alone, up to the rounding of depths, which changes a few
+   pixels on edges. Light shows whether the camera looks the same way in the world. */
 static void frames_carry_cameras(void)
 {
     static const char *const scenes[] = {
@@ -902,9 +902,9 @@ static void make_part(const char *path)
     free(bytes);
 }
 
-/* The saved frame as Blender would write it: two view layers, 1e10 without a surface, normals of the world. Its picture
-   equals the frame's. Layers and channels are chosen by name. Another camera would turn the normals, so it is refused
-   unless they are not read. A note appears if --fovy has the horizontal angle. */
+/* Checks the saved frame as Blender would write it: two view layers, 1e10 without a surface, normals of the world. Its
+   picture equals the frame's. Layers and channels are chosen by name. Another camera would turn the normals, so it is
+   refused unless they are not read. A note appears if --fovy has the horizontal angle. */
 static void frames_of_blender(void)
 {
     static const char *const theirs[7] = { "Depth.Z",   "Normal.X",  "Normal.Y", "Normal.Z",
@@ -962,7 +962,7 @@ static void frames_of_blender(void)
           "grep -q 'note: --gbuffer b.exr: its normals agree with --fovy 70.0 better than with 102.4'");
     works("! $R $A --layer A --out q.exr 2>&1 | grep note:");
     REFUSED("$R --gbuffer b.exr --fovy 70 --radius 0.3 --out q.exr", bad);
-    float *const z = kit_image_channel(&own, "Z");         /* others store a sky so */
+    float *const z = kit_image_channel(&own, "Z");         /* other programs store a sky as such depths */
     for (int k = 0; k < 2; ++k) {
         for (size_t i = 0; i < pixels / 2; ++i) z[i] = k ? FLT_MAX : 0;
         write_image(k ? "sky1.exr" : "sky0.exr", &own, NULL);
@@ -983,7 +983,7 @@ static void frames_of_blender(void)
    that looks down +z; or an orthographic camera whose eye stands so far before the frame's. */
 typedef struct way { int layout, gl, down, left, orthographic; float shift; const char *options; float eye; } way;
 
-/* The depth buffer of a frame by that projection. */
+/* Writes the depth buffer of a frame by a way's projection. */
 static void buffer_of(float *out, const kit_image *frame, const way *w, const float p[16])
 {
     const float *z = kit_image_channel(frame, "Z");
@@ -994,7 +994,7 @@ static void buffer_of(float *out, const kit_image *frame, const way *w, const fl
     }
 }
 
-/* The largest difference of a depth from the frame's plus more, over that; 1 if only one of them shows a surface. */
+/* Returns the largest difference of a depth from the frame's plus more, over that; 1 if one lacks a surface. */
 static double depths_off(const kit_image *a, const kit_image *b, double more)
 {
     const float *z[2] = { kit_image_channel(a, "Z"), kit_image_channel(b, "Z") };
@@ -1005,7 +1005,7 @@ static double depths_off(const kit_image *a, const kit_image *b, double more)
     return most;
 }
 
-/* The script makes a frame with the buffer's depths and the camera. pictures: 1: from an EXR, 2: from a PNG, too */
+/* Checks capture.py's frame: the buffer's depths and the camera. pictures: 1: from an EXR, 2: from a PNG, too */
 static void capture(const kit_image *frame, kit_camera camera, const way *w, int pictures)
 {
     char line[1000], words[800] = "";
@@ -1021,7 +1021,7 @@ static void capture(const kit_image *frame, kit_camera camera, const way *w, int
     camera.znear -= w->eye;
     camera.zfar -= w->eye;
     kit_camera_matrices(&camera, view, p);
-    if (w->layout == KIT_DEPTH_NORMAL && !w->gl) {                         /* from [-w, w] to [0, w] */
+    if (w->layout == KIT_DEPTH_NORMAL && !w->gl) {                         /* from clip space's [-w, w] to [0, w] */
         p[10] = 0.5f * (p[10] + p[11]);
         p[14] = 0.5f * (p[14] + p[15]);
     }
@@ -1052,7 +1052,7 @@ static void capture(const kit_image *frame, kit_camera camera, const way *w, int
     }
 }
 
-/* View depth and world normals as raw floats, the bottom row first, come back as the frame and its camera. */
+/* Checks that view depth and world normals as raw floats, bottom row first, come back as frame and camera. */
 static void raw_captures(void)
 {
     char path[300], line[300], words[800] = "";
@@ -1098,7 +1098,7 @@ static void raw_captures(void)
     kit_image_free(&frame);
 }
 
-/* Every layout of depth gives the same frame, and the script's frame is rendered as the scene is. */
+/* Checks that every layout of depth gives the same frame, and that the script's frame is rendered as the scene is. */
 static void captures(void)
 {
     static const char by_numbers[] = "--fovy=50 --near=0.1 --far=100 --radius=0.5",
@@ -1129,7 +1129,7 @@ static void captures(void)
         { "depth.exr a.exr --projection=1,0,0,0,0,1,0,0,0,0,-1,-2,0,0,-1,0", "--projection" },
         { "depth.exr a.exr --projection=1,0,0,0,0,1,0,0,0,0,-1,1,0,0,nan,0", "shows nothing" },
         { "depth.exr nowhere/a.exr --fovy=50 --near=0.1", "nowhere/a.exr" } };
-    /* 16 bits, grey; the rows take turns with all filters */
+    /* a PNG of 16 bits, grey; the rows take turns with all filters */
     static const char png[] =
         "import sys, zlib\nfrom struct import pack\nsys.path.insert(0, sys.argv[1])\nimport pictures\n"
         "wide, high, (depth,) = pictures.exr(open('depth.exr', 'rb').read(), 1, 'R')\n"
@@ -1177,7 +1177,7 @@ static void captures(void)
     works("ls | diff before - && rm before");
 }
 
-/* JSON is valid whatever a file's name and a reference hold. Words that are a default are shown. */
+/* Checks that JSON is valid whatever a file's name and a reference hold. Words that are a default are shown. */
 static void what_is_printed(void)
 {
     kit_image endless;
@@ -1208,12 +1208,12 @@ static void what_is_printed(void)
 
 /* ---- >>bench ----------------------------------------------------------------------------------------------------- */
 
-/* Rows of bench.csv, for a picture that the room fills: a frame's milliseconds and bytes are the sums of its passes',
-   and its traffic takes bytes / copied seconds. */
+/* Checks rows of bench.csv, for a picture that the room fills: a frame's milliseconds and bytes are the sums of its
+   passes', and its traffic takes bytes / copied seconds. */
 static void bench_rows(const char *csv, double copied)
 {
     static const char *const passes[] = { "frame", "thickness", "hsao", "blur" };
-    double v[4][6], sum = 0; /* count, milliseconds, quartiles, bytes, milliseconds of traffic */
+    double v[4][6], sum = 0; /* of each row: passes, ms, two quartiles, bytes, ms of traffic */
     for (int i = 0; i < 4; ++i) {
         char begins[80];
         snprintf(begins, sizeof begins, "\nhsao-best,\"\",64,36,%s,", passes[i]);
@@ -1229,11 +1229,11 @@ static void bench_rows(const char *csv, double copied)
         sum += i ? v[i][4] : 0;
     }
     CHECK(fabs(sum / v[0][4] - 1) < 1e-4, "passes move %g bytes, the frame %g", sum, v[0][4]);
-    /* a pixel: 16 of a normal and 8 written, and 16 of thickness at half resolution */
+    /* bytes a pixel: 16 of a normal and 8 written, and 16 of thickness at half resolution */
     CHECK(fabs(v[2][4] - (24 * 64 * 36 + 16 * 32 * 18)) < 1, "hsao moves %g bytes", v[2][4]);
 }
 
-/* Of the table, fit prints the lines that changed: here that of choice 3, in its second cost. */
+/* Checks that of the table fit prints the lines that changed: here that of choice 3, in its second cost. */
 static void bench_fits(const char *plan)
 {
     char was[300], is[300];
@@ -1287,14 +1287,14 @@ static void bench(void)
 
 /* ---- >>make ------------------------------------------------------------------------------------------------------ */
 
-/* How many objects of build/render and of both test programs make would compile in the copy. */
+/* Returns how many objects of build/render and of both test programs make would compile in the copy. */
 static int compiled_again(void)
 {
     return works("MAKEFLAGS= make -n -C tree build/render build/test build/test-examples >made.txt && "
                  "grep -c ' -c .* -o build/.*[.]o$' made.txt || test $? = 1") ? atoi(said) : -1;
 }
 
-/* In a copy of the tree, made of links and built as far as the tree is. */
+/* Checks what make compiles after edits in a copy of the tree, made of links and built as far as the tree is. */
 static void edits(void)
 {
     static const struct { const char *edit; int least, most; } cases[] = {
@@ -1315,7 +1315,7 @@ static void edits(void)
     }
 }
 
-/* The tests run from any folder and environment. */
+/* Checks that the tests run from any folder and environment. */
 static void anywhere(void)
 {
     works("cd / && env -i $T/build/test library | grep -q ' passed, 0 failed'");

@@ -23,7 +23,7 @@ static int build(ssgi_trace *trace, void **memory, const float *position, size_t
     return ok;
 }
 
-/* The distance to triangle c in double, or -1. wide: how far beyond an edge, in barycentric weight, is still a hit. */
+/* Returns triangle c's distance in double, or -1. wide: how far beyond an edge, in weight, still hits. */
 static double brute(const float *c, const float o[3], const float d[3], double wide)
 {
     double e[3], f[3], s[3], p[3], q[3], largest = 0;
@@ -116,7 +116,7 @@ static void against_brute_force(void)
     free(memory);
 }
 
-/* Nested shells, each smaller by a factor, which a split by area would peel off singly. Then thousands of equal
+/* Checks nested shells, each smaller by a factor, which a split by area would peel off singly. Then thousands of equal
    ones. */
 static void deep_trees(void)
 {
@@ -151,7 +151,7 @@ static void deep_trees(void)
     free(soup);
 }
 
-/* A sphere of radius 1 with bumps and dents. */
+/* Makes a vertex of a sphere of radius 1 with bumps and dents. */
 static void lumpy(const void *shape, double u, double v, kit_vertex *out)
 {
     kit_sphere_surface(shape, u, v, out);
@@ -169,7 +169,7 @@ static void no_cracks(void)
     if (!build(&trace, &memory, b.scene.mesh.position, b.scene.mesh.triangles)) return;
     t_seed(7);
     for (size_t t = 0; t < b.scene.mesh.triangles; ++t)
-        for (int k = 0; k < 6; ++k, ++shot) {                               /* at corners, and along edges */
+        for (int k = 0; k < 6; ++k, ++shot) {                               /* aims rays at corners, and along edges */
             const float *p = b.scene.mesh.position + 9 * t + 3 * (k % 3),
                         *q = b.scene.mesh.position + 9 * t + 3 * ((k + 1) % 3);
             float o[3], d[3], along = k < 3 ? 0 : t_uniform(0, 1);
@@ -206,7 +206,7 @@ static void bad_arguments(void)
     REFUSED("size", SSGI_TOO_SMALL, &o.trace, o.memory, size - 1, p, 12, NULL, 1);
 #undef REFUSED
     CHECK(ssgi_trace_size(0) == 0 && ssgi_trace_size((size_t)-1) == 0, "sizes that cannot be have a size");
-    /* the stated size suffices: nothing is written beyond it, for rows with full nodes (512) and for others */
+    /* the stated size must suffice: nothing is written beyond it, for rows with full nodes (512) and for others */
     for (size_t n = 1; n <= 512; ++n) {
         static float soup[512][9];
         for (size_t t = 0; t < n; ++t)
@@ -224,8 +224,8 @@ static void bad_arguments(void)
 
 /* ---- ssgi_trace_visibility ------------------------------------------------------------------------------------- */
 
-/* Closed forms for points on a floor at y = 0, x from 0 to 1: beside an endless wall, attenuated and not; a wall of
-   height 1; a groove of width 1 and depth 1. The sheets are so long that their ends do not count. */
+/* Returns closed forms for points on a floor at y = 0, x from 0 to 1: beside an endless wall, attenuated and not; a
+   wall of height 1; a groove of width 1 and depth 1. The sheets are so long that their ends do not count. */
 static double closed_form(int shape, double x)
 {
     const double wall = (1 - x / sqrt(x * x + 1)) / 2;
@@ -233,7 +233,7 @@ static double closed_form(int shape, double x)
     return shape == 2 ? wall : wall + (1 - (1 - x) / sqrt((1 - x) * (1 - x) + 1)) / 2;
 }
 
-/* A wall at x, up from y = 0 and along z. */
+/* Adds a wall at x, up from y = 0 and along z. */
 static void wall(kit_build *b, double x, double height, double half)
 {
     const double corner[4][3] = { { x, 0, half }, { x, 0, -half }, { x, height, -half }, { x, height, half } };
@@ -245,7 +245,7 @@ static void visibility(void)
     enum { POINTS = 400, SHAPES = 4 };
     static float position[3 * POINTS], normal[3 * POINTS], out[POINTS], other[POINTS];
     for (int shape = 0; shape < SHAPES; ++shape) {
-        /* by 256 and 1024 rays; random rays would have an error of 0.03 and 0.015 at a hard wall */
+        /* RMSE by 256 and 1024 rays; random rays would have 0.03 and 0.015 at a hard wall */
         static const double rms[SHAPES][2] = { { 7e-4, 2e-4 }, { 5e-3, 1.7e-3 }, { 6e-3, 2.2e-3 }, { 8e-3, 3.3e-3 } };
         kit_build b = { .turn = 0 };
         ssgi_trace trace;
@@ -276,7 +276,7 @@ static void visibility(void)
                   "shape %d, %d rays: RMS %.5f, worst %.4f, mean %.5f", shape, 256 << 2 * r, sqrt(square), worst, sum);
             t_note("shape %d, %d rays: RMS %.5f, worst %.4f, mean %.5f", shape, 256 << 2 * r, sqrt(square), worst, sum);
         }
-        /* a part of the points in reverse order has the same values */
+        /* a part of the points in reverse order must have the same values */
         for (int i = POINTS / 2; i < POINTS; ++i)
             memcpy(position + 3 * i, position + 3 * (POINTS - 1 - i), 3 * sizeof(float));
         ssgi_trace_visibility(other, &trace, position + 3 * POINTS / 2, normal, POINTS / 2, shape < 2 ? 1.0f : 0.0f,
@@ -305,7 +305,7 @@ static void own_visibility(void)
     for (size_t i = 0; i < 3 * corners; ++i) m->normal[i] = -m->normal[i];
     ssgi_trace_visibility(out, &trace, m->position, m->normal, corners, 0, 64, 1, NULL);
     for (size_t i = 0; i < corners; ++i) most = fmax(most, (double)out[i]);
-    /* middles of its faces, which rounding puts on either side */
+    /* aims at middles of faces, which rounding puts on either side */
     for (size_t t = 0; t < m->triangles; ++t) {
         const float *c = m->position + 9 * t;
         for (size_t i = 0; i < 3; ++i) {
@@ -361,7 +361,7 @@ static void compare(const char *name, const kit_image *y, const double *expected
     t_note("%s: RMSE %.5f, worst pixel %.4f", name, found, worst);
 }
 
-/* A sheet far from 0; floor and wall; a ball that rests on a plane. */
+/* Scenes: a sheet far from 0; floor and wall; a ball that rests on a plane. */
 enum { SHEET, CORNER, RESTING };
 
 static kit_scene built(int what)
@@ -383,7 +383,7 @@ static kit_scene built(int what)
     return b.scene;
 }
 
-/* The plane of the corner that a ray meets first: 1 floor, 2 wall, 0 none; at: the distance from the other plane */
+/* Returns the plane that a ray meets first: 1 floor, 2 wall, 0 none; at: the distance from the other plane */
 static int corner_hit(const float o[3], const float d[3], double *at)
 {
     const double down = d[1] < 0 ? (double)-o[1] / (double)d[1] : 1e30,
@@ -393,7 +393,7 @@ static int corner_hit(const float o[3], const float d[3], double *at)
     return t > 40 ? 0 : 1 + across;
 }
 
-/* The visibility of the place that a pixel's ray meets; below 0: it has no closed form. */
+/* Returns the visibility of the point that a pixel's ray meets; below 0: it has no closed form. */
 static double expected_of(int what, const float o[3], const float d[3], int hard)
 {
     double c = 1, u[2];
@@ -406,8 +406,8 @@ static double expected_of(int what, const float o[3], const float d[3], int hard
 
 static void closed_forms(void)
 {
-    /* from: the first with a closed form of linear in perspective, linear orthographic, hard in perspective, hard
-       orthographic */
+    /* from: the first of 0 to 3 with a closed form: linear in perspective, linear orthographic, hard in perspective,
+       hard orthographic */
     static const struct { const char *name; kit_camera camera; float radius; int rays, from; double rmse, most;
     } row[] = {
         { "a bare plane", { .eye = { 104.0548f, 199.2587f, -48.17f }, .target = { 104.4f, 199.45f, -47.8f },
@@ -450,8 +450,8 @@ static void closed_forms(void)
     }
 }
 
-/* Irradiance over pi (green) on the corner's floor or wall at a distance from the other: a sum over a grid of four
-   cells a texel, dimmed by the other plane within radius 1. */
+/* Returns irradiance over pi (green) on the corner's floor or wall at a distance from the other: a sum over a grid of
+   four cells a texel, dimmed by the other plane within radius 1. */
 static double corner_light(const kit_image *env, int floor_, double distance)
 {
     double sum = 0;
@@ -485,7 +485,7 @@ static void lit_corner(void)
         kit_image out;
         double off = 0, bias = 0;
         if (!lighten(&l, row[k].env, NULL)) return;
-        if (k != 1) level = 0;                             /* the second has the first's sky */
+        if (k != 1) level = 0;                             /* the second light keeps the first one's sky */
         for (int i = 0; i < PIXELS && k != 1; ++i) {
             float o[3], d[3];
             double at;
@@ -511,9 +511,9 @@ static void lit_corner(void)
     kit_mesh_free(&scene.mesh);
 }
 
-/* In a ball a chord is 2 r cos long, by its angle to the normal, and the next chord does not depend on it. With linear
-   attenuation visibility is 4 r / (3 R), reflections are a geometric series, and a narrow lobe sees hardly more than
-   the chord of the mirrored view. */
+/* Checks a ball, in which a chord is 2 r cos long, by its angle to the normal, and the next chord does not depend on
+   it. With linear attenuation visibility is 4 r / (3 R), reflections are a geometric series, and a narrow lobe sees
+   hardly more than the chord of the mirrored view. */
 static void inside_a_ball(void)
 {
     enum { SIZE = 8 };
@@ -548,8 +548,8 @@ static void inside_a_ball(void)
     kit_mesh_free(&b.scene.mesh);
 }
 
-/* Planes through (0, 0, -8), at an angle to the viewer. A square in front of one is too far away to be joined to it or
-   to occlude it. Occluders must be in view, a radius around. */
+/* Checks the floor on planes through (0, 0, -8), at an angle to the viewer. A square in front of one is too far away to
+   be joined to it or to occlude it. Occluders must be in view, a radius around. */
 static void floors(void)
 {
     enum { W = 96, H = 72 };

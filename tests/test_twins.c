@@ -19,7 +19,7 @@ static ssgi_view view;
 
 /* ---- >>cameras: extra ones and those of shadow maps -------------------------------------------------------------- */
 
-/* A rotation that takes +z to a direction at an angle from it, between two rotations about z: the quaternion of
+/* Makes a rotation that takes +z to a direction at an angle from it, between two rotations about z: the quaternion of
    sin(angle/2) at one azimuth and cos(angle/2) at another. */
 static void rotation(float m[16], double angle, double a, double b)
 {
@@ -39,7 +39,7 @@ static void rigid(float m[16])
     for (int k = 0; k < 3; ++k) m[12 + k] = t_uniform(-9, 9);
 }
 
-/* Row r of a matrix times a point. lost: the error that is allowed, as a rigid matrix of floats is not quite rigid. */
+/* Returns row r of a matrix times a point. lost: the allowed error, as a matrix of floats is not quite rigid. */
 static double product_of(const float m[16], int r, const double p[4], double *lost)
 {
     double sum = 0;
@@ -51,8 +51,8 @@ static double product_of(const float m[16], int r, const double p[4], double *lo
     return sum;
 }
 
-/* An off-centre camera of 640 x 480 with any projection that a view decodes. starts: the view depth of an orthographic
-   near plane, which may be behind the eye. */
+/* Makes an off-centre camera of 640 x 480 with any projection that a view decodes. starts: the view depth of an
+   orthographic near plane, which may be behind the eye. */
 static int any_view(int ortho, float starts)
 {
     const float x = t_uniform(-0.3f, 0.3f), y = t_uniform(-0.3f, 0.3f), wide = t_uniform(0.5f, 3),
@@ -156,7 +156,7 @@ static void frame_light(void)
     }
 }
 
-/* The largest gap on the circle between neighbouring phases of so many successive frames. */
+/* Returns the largest gap on the circle between neighbouring phases of so many successive frames. */
 static double largest_gap(uint32_t from, uint32_t frames)
 {
     double most = 0;
@@ -171,9 +171,9 @@ static double largest_gap(uint32_t from, uint32_t frames)
     return most;
 }
 
-/* Each four frames halve the circle and then its halves; the next four are ahead by a quarter of 1 + the golden ratio's
-   fraction g. So each quarter has multiples of g, whose largest gap is a power of g for a Fibonacci number of them.
-   Frames that do not begin at a multiple of four need three more. */
+/* Checks that each four frames halve the circle and then its halves; the next four are ahead by a quarter of 1 + the
+   golden ratio's fraction g. So each quarter has multiples of g, whose largest gap is a power of g for a Fibonacci
+   number of them. Frames that do not begin at a multiple of four need three more. */
 static void phases_spread(void)
 {
     enum { FRAMES = 1024, POWERS = 7 };
@@ -197,7 +197,7 @@ static void phases_spread(void)
 /* ---- >>probes: statements in a pass's text, and passes ----------------------------------------------------------- */
 
 static float in[MANY][4], out[MANY][4], map[MANY][4];
-static float *const ins = &in[0][0], *const outs = &out[0][0];    /* in and out as arrays of floats */
+static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the probes' in and out as arrays of floats */
 
 /* Inputs of probes besides in and map: extra cameras; for the next probe only, layers of an array, pass thickness. */
 static ssgi_gl_views probed;
@@ -220,7 +220,7 @@ static GLuint texture_of(int width, int height, int layers, GLenum format, const
     return layers ? kit_texture_array(width, height, layers, format, data) : kit_texture(width, height, format, data);
 }
 
-/* A desc of a pass, with fields in words, as behind a method's name: "samples=2,depth=linear". */
+/* Returns a desc of a pass, with fields in words, as behind a method's name: "samples=2,depth=linear". */
 static ssgi_gl_desc desc_of(const char *pass, const char *words)
 {
     ssgi_gl_chain c;
@@ -234,7 +234,7 @@ static ssgi_gl_desc desc_of(const char *pass, const char *words)
     return c.desc;
 }
 
-/* The same, with surfaces that face the viewer. */
+/* Returns the same desc, with surfaces that face the viewer. */
 static ssgi_gl_desc facing_of(const char *pass, const char *words)
 {
     ssgi_gl_desc d = desc_of(pass, words);
@@ -383,14 +383,14 @@ static ssgi_gl_frame seen_by(const float m[16], int clip, int width, int height,
     return frame;
 }
 
-/* orthographic, 64 x 64 pixels, 16 a unit */
+/* returns a frame: orthographic, 64 x 64 pixels, 16 a unit */
 static ssgi_gl_frame facing(float radius)
 {
     static const float m[16] = { 0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 };
     return seen_by(m, SSGI_CLIP_GL, SIDE, SIDE, radius);
 }
 
-/* Off-centre and upside down, perspective or orthographic, 640 x 480. */
+/* Returns a frame off-centre and upside down, perspective or orthographic, 640 x 480. */
 static ssgi_gl_frame off_centre(int ortho)
 {
     static const float m[2][16] = { { 1, 0, 0, 0, 0, -1.5f, 0, 0, 0.1f, 0.2f, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
@@ -420,7 +420,7 @@ static void twin_views(void)
         d.input.orthographic = mapped.input.orthographic = ortho;
         ssgi_gl_frame frame = seen_by(m[ortho], clip, 1280, 720, 1);
         frame.offset = 1;
-        for (int i = 0; i < MANY; ++i) {                  /* window depth; a pixel; view depth */
+        for (int i = 0; i < MANY; ++i) {                  /* columns of in: window depth; a pixel; view depth */
             const float values[4] = { i < SPECIAL ? special[i]
                                       : i & 1     ? t_uniform(0, 1)
                                                   : 1 - powf(10, t_uniform(-7, 0)),
@@ -576,7 +576,7 @@ static void twin_emitters(void)
     t_note("an emitter's normal is off by %.2f degrees at most", worst);
 }
 
-/* The point that an extra camera shows. It is the third camera, so that the block's strides matter. */
+/* Checks the point that an extra camera shows. It is the third camera, so that the block's strides matter. */
 static void twin_views_of_others(void)
 {
     const ssgi_gl_desc d = desc_of("ssao", "fade=1,views=3");
@@ -606,7 +606,7 @@ static void twin_views_of_others(void)
     }
 }
 
-/* The functions of ssgi_gl_sh in both languages. A case is four pixels, one for each word of the result. */
+/* Checks the functions of ssgi_gl_sh in both languages. A case is four pixels, one for each word of the result. */
 static void twin_harmonics(void)
 {
     enum { BASIS, ZONAL, TURN, SUMS, FUNCTIONS };
@@ -671,7 +671,7 @@ static void twin_harmonics(void)
            worst[SUMS]);
 }
 
-/* The bits of a half, rounded to the nearest one, or to the even one of two; value_of: the value of such bits. */
+/* Returns the bits of a half, rounded to the nearest one, or the even one of two; value_of: their value. */
 static int half_of(float x)
 {
     const double y = fmin(fabs((double)x), 65504);
@@ -685,7 +685,7 @@ static double value_of(int half)
     return ldexp(e ? m + 1024 : m, (e ? e : 1) - 25) * (half & 0x8000 ? -1 : 1);
 }
 
-/* Every half is read exactly, and floats are rounded to halves, in languages that have halves and in the others. */
+/* Checks that every half is read exactly and floats are rounded to halves, in languages with them or without. */
 static void twin_halves(void)
 {
     static const char *const dialects[] = { "330", "410", "450", "300es" };
@@ -727,7 +727,7 @@ static void twin_halves(void)
 
 /* ---- >>terms: functions of numbers, a row each, GLSL against the formula of its comment -------------------------- */
 
-/* The inputs of a row, and the wanted result. */
+/* Kinds of inputs of a row, and of the wanted result. */
 typedef enum numbers {
     AMBIENT, SECOND_LAYER, WAY, WIDTH, SHORT_WIDTH, SHORT, LIT, GLOSS, ARC, SECTORS, SLAB, KERNEL, OCTAHEDRAL, DISC
 } numbers;
@@ -742,7 +742,7 @@ typedef struct term {
     double within;
 } term;
 
-/* The integral in the comment of ssgi_arc_slope, by Simpson's rule. */
+/* Returns the integral in the comment of ssgi_arc_slope, by Simpson's rule. */
 static double arc(double top, double g)
 {
     enum { PARTS = 128 };
@@ -906,16 +906,16 @@ static void functions_of_numbers(void)
 
 /* ---- >>walk: slices, by GLSL's bits and by vectors --------------------------------------------------------------- */
 
-/* A side's sectors, with an expectation for occluders that its samples missed and for those beyond the picture, which
-   ends after so many radii. */
+/* Returns a side's occluded sectors, with an expectation for occluders that its samples missed and for those beyond the
+   picture, which ends after so many radii. */
 static double expected(double found, double open, int steps, double edge)
 {
     const double beyond = fmax(1 - edge, 0), missed = fmax(0.09375 / steps - 0.0028, 0) * found;
     return found + open * fmin(missed + beyond * beyond * fmin(0.05 * found, 0.4), 1);
 }
 
-/* One sample in one slice, at an elevation over a tilted plane: whether and how much it counts. The walk ends at the
-   radius, or at the span if there is one. */
+/* Checks one sample in one slice, at an elevation over a tilted plane: whether and how much it counts. The walk ends at
+   the radius, or at the span if there is one. */
 static void slices_limits(void)
 {
     /* degrees; sine of the elevation; 1: beyond the normal */
@@ -953,12 +953,12 @@ static void slices_limits(void)
     }
 }
 
-/* The texels of pass thickness for map's view depths in x and thicknesses in w, in radii / 63. Writes the values that
-   are read back into map. */
+/* Returns the texels of pass thickness for map's view depths in x and thicknesses in w, in radii / 63. Writes the
+   values that are read back into map. */
 static const uint32_t (*measured(int orthographic))[4]
 {
     static uint32_t packed[MANY / 4][4];
-    for (int t = 0; t < MANY / 4; ++t) {                   /* a texel for each 2x2 */
+    for (int t = 0; t < MANY / 4; ++t) {                   /* one texel of pass thickness for each 2x2 pixels */
         float z[4];
         unsigned thickness[4];
         for (int i = 0; i < 8; ++i) {                      /* writes, then reads */
@@ -988,7 +988,7 @@ static void seen_at(const walk *w, double x, double y, double z, double *Q)
     Q[2] = -z;
 }
 
-/* The sector of a cosine, by the polynomial of ssgi_arc_odd, which twin_arc tests. */
+/* Returns the sector of a cosine, by the polynomial of ssgi_arc_odd, which twin_arc tests. */
 static double sector_of(double c, double g, double whole, double noise)
 {
     const double q = c * c;
@@ -1037,7 +1037,7 @@ static double side_walked(double *where, const walk *w, const int *p, const doub
         z[1] = z[0] + (w->thickness == SSGI_GL_THICKNESS_CONSTANT ? (double)w->frame->thickness_limit : width);
         if (z[2] <= 0) z[2] = 1e18;
         z[3] = z[2] + fmax(fmin(tap[2] > tap[1] ? (double)(tap[2] - tap[1]) : (double)tap[3] * R / 63, R), 2 * gap);
-        for (int i = 0; i < 4; ++i) {               /* front, back, second front, its back: along, up */
+        for (int i = 0; i < 4; ++i) {               /* (along, up) of the front, its back, the second front, its back */
             seen_at(w, x + 0.5, y + 0.5, z[i], Q);
             for (int c = 0; c < 3; ++c) at[i][c] = Q[c] - P[c];
             e[i][0] = dot3(at[i], t);
@@ -1085,7 +1085,7 @@ static double side_walked(double *where, const walk *w, const int *p, const doub
 
 static double fraction(double x) { return x - floor(x); }
 
-/* The occlusion that the walk of pixel i must have. light: its share of the first band, along x, y, z. */
+/* Returns the occlusion that the walk of pixel i must have. light: its share of the first band, along x, y, z. */
 static double walk_of(double light[3], const walk *of, int i, int slices)
 {
     const ssgi_gl_frame *const frame = of->frame;
@@ -1126,9 +1126,9 @@ static double walk_of(double light[3], const walk *of, int i, int slices)
     return want;
 }
 
-/* The walk at every pixel of a rough map, with some normals far from the viewer, in GLSL and by vectors; and its light
-   in the first band of harmonics, which tells directions. If rounding moves a sector, a slice's side changes by a 32nd:
-   few pixels may. */
+/* Compares the walk at every pixel of a rough map, with some normals far from the viewer, in GLSL and by vectors; and
+   its light in the first band of harmonics, which tells directions. If rounding moves a sector, a slice's side changes
+   by a 32nd: few pixels may. */
 static void walks_by_vectors(void)
 {
     static const char *const thickness[5] = { "solid", "constant", "width", "slabs", "constant,span=4" };
@@ -1145,7 +1145,7 @@ static void walks_by_vectors(void)
         frame.thickness_limit = 0.3f;
         frame.surfel[0] = k & 1 ? 0.2f : 0.025f;
         t_seed(71 + (uint32_t)k);
-        for (int i = 0; i < MANY; ++i) {                   /* a slope with blocks, a step down, holes */
+        for (int i = 0; i < MANY; ++i) {                   /* makes a slope with blocks, a step down, holes */
             const int x = i % SIDE, y = i / SIDE, block = (x / 6 * 7 + y / 9 * 5) % 4;
             const float z = 8 + 0.02f * (float)x - 0.01f * (float)y - 0.4f * (float)block + (x > 40 ? 0.9f : 0);
             const float a = t_uniform(0, 6.28f), tilt = t_uniform(0, 1.5f);
@@ -1204,7 +1204,7 @@ static void light_rows(int texel, float scale, int flat_, int wide)
     memcpy(map[texel], light, sizeof light);
 }
 
-/* Points of a plane before a map. Before each point the map shows a surface, the last one nearer by almost `before`. */
+/* Puts points of a plane before a map. Before each the map shows a surface, the last one nearer by almost `before`. */
 static void light_points(float depth, float scale, int flat_, double before)
 {
     light_rows(3, scale, flat_, SIDE);
@@ -1216,8 +1216,8 @@ static void light_points(float depth, float scale, int flat_, double before)
     }
 }
 
-/* The shadow map shows a surface just before a point that faces its light, with texels as small as points. It must stay
-   lit as long as rounding alone may explain the difference. */
+/* Checks a shadow map that shows a surface just before a point that faces its light, with texels as small as points. It
+   must stay lit as long as rounding alone may explain the difference. */
 static void shadow_slack(void)
 {
     /* of a far point; of a deep map: 3e-7 of the scale, times depth squared if 1/z is stored, and 2e-5 of the depth */
@@ -1237,8 +1237,8 @@ static void shadow_slack(void)
     }
 }
 
-/* Planes that slope against a sun's map, whose axis points to the light, or against a spot's at its axis. The map shows
-   a surface before them by up to twice the bias in C, and must shadow from the bias on. */
+/* Checks planes that slope against a sun's map, whose axis points to the light, or against a spot's at its axis. The
+   map shows a surface before them by up to twice the bias in C, and must shadow from the bias on. */
 static void shadow_bias(void)
 {
     const ssgi_gl_desc d = desc_of("lights", "shadow=map");
@@ -1246,7 +1246,7 @@ static void shadow_bias(void)
     for (int k = 0; k < 10; ++k) {
         const int flat_ = k & 1;
         const double c = 0.9 - 0.2 * (k / 2), depth = 20, width = flat_ ? 0.25 : 0.0125;
-        const float patch = 0.25f, most = (float)(0.25 * sqrt(0.5) * 6); /* the limit of the last plane's bias */
+        const float patch = 0.25f, most = (float)(0.25 * sqrt(0.5) * 6); /* most: the limit of the last plane's bias */
         const double bias = (double)ssgi_shadow_bias(patch, (float)c, most, SSGI_BIAS_SAFE);
         char statements[300];
         int lit = 0;
@@ -1264,8 +1264,9 @@ static void shadow_bias(void)
     }
 }
 
-/* Reads at most as many rows as the texture has. Each row is a sun that its map shows; the first tells how many of the
-   others are the same sun with wider maps. A number out of range counts as none or all, and no row is read again. */
+/* Checks that no more rows are read than the texture has. Each row is a sun that its map shows; the first tells how
+   many others are the same sun with wider maps. A number out of range counts as none or all, and no row is read
+   again. */
 static void rows_are_visited_once(void)
 {
     static const struct { float wider; int lights; float sum, or_; } row[] = {
@@ -1279,7 +1280,7 @@ static void rows_are_visited_once(void)
     memcpy(map[0], sun, sizeof sun);
     for (int i = 1; i < SIDE; ++i) memcpy(map[SIDE * i], map[0], 8 * sizeof map[0]);
     for (int i = 0; i < SIDE; ++i) memcpy(in[i], (float[4]){ 0.5f, 0.5f, -1, 0 }, sizeof in[i]);
-    map[SIDE * 32 + 8][0] = 1000;                        /* the map shows a surface far behind the point */
+    map[SIDE * 32 + 8][0] = 1000;                        /* a depth far behind the point */
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
         const ssgi_gl_frame frame = { .radius = 1, .max_slope = 20, .lights = row[k].lights };
         map[1][3] = row[k].wider;
@@ -1290,8 +1291,8 @@ static void rows_are_visited_once(void)
     }
 }
 
-/* A point that is inside of matter for the picture, and an extra camera before a wall at depth 2. The point is open if
-   it is before the wall by more than two pixels there, which are 2/32 of its depth. */
+/* Checks a point that is inside of matter for the picture, and an extra camera before a wall at depth 2. The point is
+   open if it is before the wall by more than two pixels there, which are 2/32 of its depth. */
 static void view_slack(void)
 {
     static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 };
@@ -1316,7 +1317,7 @@ static void view_slack(void)
     CHECK(open > MANY / 2 && open < MANY, "%d of %d are open", open, MANY);
 }
 
-/* One bright pixel on each level: 2^l pixels are averaged, of the 2^l + 1 around one, whose ends share a weight. */
+/* Checks one bright pixel by level: 2^l pixels are averaged, of the 2^l + 1 around one, whose ends share a weight. */
 static void smooth_weights(void)
 {
     enum { LEVELS = 4 };
@@ -1347,7 +1348,7 @@ static void smooth_weights(void)
     CHECK(fabs((double)got[MANY + CENTRE] - 1 / 1.65) < 1e-5, "beside a step: %g", (double)got[MANY + CENTRE]);
 }
 
-/* One bright pixel. The Gaussian's variance is that of a radius of two deviations, and a pixel's: 5/4 for 2 pixels. */
+/* Checks one bright pixel: the variance is that of a radius of two deviations, and a pixel's: 5/4 for 2 pixels. */
 static void gaussian_weights(void)
 {
     static float got[MANY], ao[MANY][2];
@@ -1362,8 +1363,8 @@ static void gaussian_weights(void)
     }
 }
 
-/* An emitter seen by its unseen side sends 0.35 of its front's light, and edge-on nothing; a second slab behind it
-   sends half. With two_sided it always sends all. */
+/* Checks that an emitter seen by its unseen side sends 0.35 of its front's light, and edge-on nothing; a second slab
+   behind it sends half. With two_sided it always sends all. */
 static void unseen_sides(void)
 {
     static const struct { float d[3], share[3]; } row[] = {    /* the normal is +z: before it, behind it, beside it */
@@ -1375,7 +1376,7 @@ static void unseen_sides(void)
     static uint32_t emitter[MANY][2];
     const ssgi_gl_frame frame = { .radius = 1 };
     for (int i = 0; i < MANY; ++i) {
-        emitter[i][0] = 256u | 128u << 9 | 64u << 18 | 16u << 27;           /* 1, 1/2, 1/4 */
+        emitter[i][0] = 256u | 128u << 9 | 64u << 18 | 16u << 27;           /* packs a light of 1, 1/2, 1/4 */
         emitter[i][1] = 32u | 32u << 6;
     }
     for (int kind = 0; kind < 3; ++kind) {
@@ -1393,10 +1394,10 @@ static void unseen_sides(void)
     }
 }
 
-/* A surfel faces receivers at growing distances: its form factor is r^2 / (d^2 + r^2). Slices have all of that up to
-   half a span, and less and less up to a whole span, if they see the surfel: before the eye, within two radii of the
-   depth at its pixel; other pixels have another depth. A surfel that they see, and that faces the eye, sends the light
-   of the picture's surface, others their own. */
+/* Checks a surfel that faces receivers at growing distances: its form factor is r^2 / (d^2 + r^2). Slices have all of
+   that up to half a span, and less and less up to a whole span, if they see the surfel: before the eye, within two
+   radii of the depth at its pixel; other pixels have another depth. A surfel that they see, and that faces the eye,
+   sends the light of the picture's surface, others their own. */
 static void slices_see_surfels(void)
 {
     static const struct { float x, z, radius, toward; int seen; } row[] = {
@@ -1455,7 +1456,7 @@ static void slices_see_surfels(void)
     glDeleteBuffers(1, &buffer);
 }
 
-/* Pixel bounds of spheres and of half spheres, also if the near depth cuts them. */
+/* Checks pixel bounds of spheres and of half spheres, also if the near depth cuts them. */
 static void twin_spheres(void)
 {
     static const float normal[8][3] = {
@@ -1493,7 +1494,7 @@ static void twin_spheres(void)
     }
 }
 
-/* Parts of a triangle's edges, from the finest surfels in it, wherever it is relative to near plane and eye. */
+/* Checks parts of a triangle's edges, from the finest surfels in it, wherever it is relative to near plane and eye. */
 static void twin_parts(void)
 {
     enum { MOST = 40 };
@@ -1526,7 +1527,7 @@ static void twin_parts(void)
     }
 }
 
-/* Levels, their points, radii, and the corners of triangles that shrink, as in ssgi_surfels. */
+/* Checks levels, their points, radii, and the corners of triangles that shrink, as in ssgi_surfels. */
 static void twin_tessellation(void)
 {
     ssgi_gl_desc d = desc_of("surfels", "dialect=410,tessellate=1");
@@ -1572,7 +1573,7 @@ static void twin_tessellation(void)
 
 /* ---- >>history: how passes read the last frame ------------------------------------------------------------------- */
 
-/* The last frame of a camera that stands, or that went so far sideways and back. */
+/* Makes the last frame of a camera that stands, or that went so far sideways and back. */
 static ssgi_gl_frame follows(float radius, float by, float back)
 {
     ssgi_gl_frame frame = facing(radius);
@@ -1593,7 +1594,7 @@ static const given frames[4] = { { "t_ssgi_ao", GL_RGBA32F, SIDE, SIDE, 0, now }
                                  { "t_ssgi_change_share", GL_R32F, SIDE, SIDE, 0, nearby },
                                  { "t_ssgi_motion", GL_RG32F, SIDE, SIDE, 0, went } };
 
-/* now: value, depth; last: value, depth, mean, frames; the share that changed nearby; the plane's own motion. */
+/* Sets now: value, depth; last: value, depth, mean, frames; the share that changed nearby; the plane's own motion. */
 static void plane(float kept, float changed, float x, float y)
 {
     for (int i = 0; i < MANY; ++i) {
@@ -1605,8 +1606,8 @@ static void plane(float kept, float changed, float x, float y)
     }
 }
 
-/* The last frame's value at a place between four texels: of a ramp the interpolated one, and how much it is blurred. A
-   hundredth of a texel counts as none. */
+/* Checks the last frame's value at a place between four texels: of a ramp the interpolated one, and how much it is
+   blurred. A hundredth of a texel counts as none. */
 static void history_lies_between(void)
 {
     static const float moved[] = { 0, 0.005f, 0.25f, 0.5f, 0.8f };
@@ -1632,10 +1633,10 @@ static void history_lies_between(void)
     }
 }
 
-/* A frame is counted if the last one shows the same plane, up to a pixel beyond its picture. One of four texels counts
-   whole if it weighs a quarter. The count is at most 16, between two texels 10.7, between four 8. If .007 of the space
-   within the radius changed, two frames are left; but things that move by themselves by more than half a pixel, by
-   motion vectors, keep theirs. */
+/* Checks that a frame is counted if the last one shows the same plane, up to a pixel beyond its picture. One of four
+   texels counts whole if it weighs a quarter. The count is at most 16, between two texels 10.7, between four 8. If .007
+   of the space within the radius changed, two frames are left; but things that move by themselves by more than half a
+   pixel, by motion vectors, keep theirs. */
 static void history_counts_on(void)
 {
     static const struct { float by, nearby; int alone; float own, kept; double frames; } cases[] = {
@@ -1657,9 +1658,9 @@ static void history_counts_on(void)
     }
 }
 
-/* The last frame shows a plane that is off by up to twice the slack: half a pixel, a thousandth of the depth, and the
-   pixels that a thing moved beyond half a pixel. The difference is measured across the plane, though depths are along
-   the view; if the camera came nearer, from the depth that it had before. */
+/* Checks a last frame with a plane that is off by up to twice the slack: half a pixel, a thousandth of the depth, and
+   the pixels that a thing moved beyond half a pixel. The difference is measured across the plane, though depths are
+   along the view; if the camera came nearer, from the depth that it had before. */
 static void history_keeps_its_plane(void)
 {
     static const struct { const char *normal; double cosine; float own, nearer, coarser; } row[] = {
@@ -1687,11 +1688,11 @@ static void history_keeps_its_plane(void)
     }
 }
 
-/* Random last values, and a frame of which half is a checkerboard, half is even. A pixel's value is the mean of 3x3
-   texels up to four frames, of five from then on. The mean over three frames goes a third of the way there, and stays
-   within 0.7 deviations and 2 %. The mean over all frames, at most 16, goes 1/frames of the way, and stays within 0.2
-   deviations and 0.5 % of the former; to be pulled, it forgets up to 0.85 of the frames. Light that becomes three times
-   as bright begins anew. */
+/* Checks random last values, and a frame of which half is a checkerboard, half is even. A pixel's value is the mean of
+   3x3 texels up to four frames, of five from then on. The mean over three frames goes a third of the way there, and
+   stays within 0.7 deviations and 2 %. The mean over all frames, at most 16, goes 1/frames of the way, and stays within
+   0.2 deviations and 0.5 % of the former; to be pulled, it forgets up to 0.85 of the frames. Light that becomes three
+   times as bright begins anew. */
 static void history_follows(void)
 {
     static float kept[MANY][4];
@@ -1746,9 +1747,9 @@ static void history_follows(void)
           "%d are held, %d pulled, %d neither, %d begin anew", held, pulled, neither, anew);
 }
 
-/* A nearer rectangle appears or goes, a camera passes one that stays, or it moves by a pixel before a trembling camera.
-   Of the 4x4 pixels that are tested in a tile, those at its depth that changed count. Depths of one surface differ by
-   less than a pixel and a 500th. With motion vectors of 0 fewer than four pixels are an edge, not a change. */
+/* Checks a nearer rectangle that appears or goes, a camera that passes one, and one that moves by a pixel before a
+   trembling camera. Of the 4x4 pixels that are tested in a tile, those at its depth that changed count. Depths of one
+   surface differ by less than a pixel and a 500th. With motion vectors of 0 fewer than four pixels are an edge. */
 static void changes_are_counted(void)
 {
     enum { TILES = SIDE / 8, LOW = TILES / 2 - 1, TALL = TILES / 2 };
@@ -1789,9 +1790,9 @@ static void changes_are_counted(void)
     }
 }
 
-/* One whole tile changed, and the radius is two tiles. Within the radius and one tile more, a sixteenth of the space
-   has changed, unless the tile is nearer or farther than the radius. With a radius of six tiles every second tile is
-   read and counts for four; with one tile a quarter changed. */
+/* Checks one whole tile that changed, with a radius of two tiles. Within the radius and one tile more, a sixteenth of
+   the space has changed, unless the tile is nearer or farther than the radius. With a radius of six tiles every second
+   tile is read and counts for four; with one tile a quarter changed. */
 static void changes_are_nearby(void)
 {
     enum { TILES = SIDE / 8, AT = TILES / 2 };
@@ -1815,7 +1816,7 @@ static void changes_are_nearby(void)
     }
 }
 
-/* The filter of pass history, where 1 to 9 of 3x3 texels show the surface. It takes the mean of these. If they are
+/* Checks pass history's filter, where 1 to 9 of 3x3 texels show the surface. It takes the mean of these. If they are
    equal, it expects a deviation of a tenth of the mean times sqrt(few (few - 1)), where few is 9 over their number. */
 static void history_spreads(void)
 {
@@ -1840,8 +1841,8 @@ static void history_spreads(void)
     }
 }
 
-/* Texels at half resolution on a plane at depth 10. Every second one is off it, by up to most times a 100th of the
-   radius and a pixel. */
+/* Makes texels at half resolution on a plane at depth 10. Every second one is off it, by up to most times a 100th of
+   the radius and a pixel. */
 static void half_size(float low, float high, float most)
 {
     for (int i = 0; i < MANY; ++i) {
@@ -1850,9 +1851,9 @@ static void half_size(float low, float high, float most)
     }
 }
 
-/* At half resolution 4x4 texels are averaged by tents of two and a half texels. They count less the farther they are
-   off the plane and the more frames there are. Of settled pixels the four nearest texels count more. All of them count
-   as 7 samples, as their weights fall off. */
+/* Checks that at half resolution 4x4 texels are averaged by tents of two and a half texels. They count less the farther
+   they are off the plane and the more frames there are. Of settled pixels the four nearest texels count more. All of
+   them count as 7 samples, as their weights fall off. */
 static void history_spreads_half_size(void)
 {
     const ssgi_gl_desc d = facing_of("history", "resolution=half,depth=custom");
@@ -1888,7 +1889,7 @@ static void history_spreads_half_size(void)
     }
 }
 
-/* At half resolution blur averages 3x3 texels by tents of 4 pixels, and 5x5 without corners by tents of 5.5. */
+/* Checks that blur at half resolution averages 3x3 texels by tents of 4 pixels, 5x5 without corners by 5.5. */
 static void blur_spreads_half_size(void)
 {
     ssgi_gl_desc d = facing_of("blur", "resolution=half,depth=custom");
@@ -1917,8 +1918,8 @@ static void blur_spreads_half_size(void)
     }
 }
 
-/* At half resolution the four pixels are drawn in turn, equally often and with any directions. Texels beyond the image
-   stay beyond it. */
+/* Checks that at half resolution the four pixels are drawn in turn, equally often and with any directions. Texels
+   beyond the image stay beyond it. */
 static void pixels_take_turns(void)
 {
     const ssgi_gl_desc d = desc_of("hsao", "resolution=half_in_turn,orthographic=1");
@@ -1940,8 +1941,8 @@ static void pixels_take_turns(void)
     }
 }
 
-/* At a quarter sixteen frames draw each pixel of a 4x4 once, and any four successive frames one of each 2x2 of it. A
-   filter's texel 0, 0 is that of the nearest gathered pixel. */
+/* Checks that at a quarter sixteen frames draw each pixel of a 4x4 once, and any four successive frames one of each 2x2
+   of it. A filter's texel 0, 0 is that of the nearest gathered pixel. */
 static void quarters(void)
 {
     ssgi_gl_frame frame = facing(1);

@@ -5,7 +5,7 @@
 const triangle = (...corners) => `${corners.map(at => `v ${at}\n`).join('')}f 1 2 3\n`;
 const gltf = more => JSON.stringify({ asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }],
                                       nodes: [{ mesh: 0 }], ...more });
-/* A triangle with these indices, a line, and bounds that do not fit them. */
+/* Returns a model: a triangle with these indices, a line, and bounds that do not fit them. */
 export function indexed(...indices) {
     const bytes = new Uint8Array(36 + 2 * indices.length);
     bytes.set(new Uint8Array(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0).buffer));
@@ -24,7 +24,7 @@ export function indexed(...indices) {
 export const wedge = (scale, place = [0, 0, 0]) => [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     .map(at => `v ${at.map((v, i) => v * scale + place[i]).join(' ')}\n`).join('')
     + 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
-/* The same wedge as a glTF, in a node at place; it glows. east: where its own coordinates begin. */
+/* Returns the same wedge as a glTF, in a node at place; it glows. east: where its own coordinates begin. */
 export function glowingWedge(place, east = 0) {
     const bytes = new Uint8Array(72);
     bytes.set(new Uint8Array(Float32Array.of(east, 0, 0, east + 1, 0, 0, east, 1, 0, east, 0, 1).buffer));
@@ -39,7 +39,7 @@ export function glowingWedge(place, east = 0) {
     });
 }
 
-/* A Radiance picture of one brightness, without run lengths. */
+/* Returns a Radiance picture of one brightness, without run lengths. */
 export function hdr(width, height, value) {
     const head = new TextEncoder().encode(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${height} +X ${width}\n`);
     const bytes = new Uint8Array(head.length + 4 * width * height);
@@ -117,7 +117,7 @@ const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], nothing = ide
 const projection = [1.3, 0, 0, 0, 0, 2.4, 0, 0, 0, 0, -1.002, -1, 0, 0, -0.2002, 0];
 const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
-/* A list whose length is 16, but whose iterator yields more. */
+/* Returns a list whose length is 16, but whose iterator yields more. */
 const endless = list => Object.assign(list, { length: 16, *[Symbol.iterator]() { yield* new Array(1e5).fill(1); } });
 
 /* Bad values, by the type that an argument should have. */
@@ -204,7 +204,7 @@ export function calls({ load, Ssgi }, ssgi) {
     ];
 }
 
-/* Valid calls still work after all of these. */
+/* Checks that valid calls still work after all of these. */
 export const works = ssgi => ssgi.shader({ pass: 'HSAO', resolution: true }).startsWith('#version')
     && ssgi.steps({ desc: { pass: 'HSAO' }, width: 64, height: 48, blur: 1, history: true }).length > 1
     && ssgi.view(endless([...projection]), 64, 48).join() === ssgi.view(projection, 64, 48).join()

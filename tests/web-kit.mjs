@@ -11,7 +11,7 @@ export function check(ok, what) { if (!ok) throw new Error(what); }
 
 export function note(text) { notes.push(text); }
 
-/* With a word on the command line only tests whose sentence holds it run. */
+/* Runs a test, unless the command line has a word that its sentence lacks. */
 export async function run(sentence, test) {
     if (!sentence.includes(only)) return;
     const begun = performance.now();

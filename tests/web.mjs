@@ -32,7 +32,7 @@ async function open(hash, { width = 1280, height = 800, before = null } = {}) {
     await page.waitForFunction('globalThis.page && (page.first || page.lacks)', { timeout: 60000 });
     return page;
 }
-/* A test that fails if the console has an error meanwhile. */
+/* Runs a test that fails if the console has an error meanwhile. */
 const quietly = (sentence, test) => run(sentence, async () => {
     const begun = said.length;
     await test();
@@ -40,7 +40,7 @@ const quietly = (sentence, test) => run(sentence, async () => {
 });
 const render = (...words) =>
     execFileSync('build/render', words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
-/* The bytes of an expression's value in the page. */
+/* Returns the bytes of an expression's value in the page. */
 const bytesOf = async (page, expression) => Buffer.from(await page.evaluate(async expression => {
     const bytes = new Uint8Array((await (0, eval)(expression)).buffer);
     let text = '';
@@ -129,12 +129,12 @@ await run('every text of WebGL 2 compiles, vertex and fragment of every variant 
 const page = await open('size=960x540&history=0'), go = hash => page.evaluate(h => page.go(h), hash);
 note(`first picture after ${(await page.evaluate('page.first') / 1000).toFixed(2)} s at 960x540`);
 
-/* The page's sun, in words of build/render. */
+/* Returns the page's sun, in words of build/render. */
 async function sunlight() {
     const { toSun, irradiance } = await page.evaluate('page.inside().stage.sunlight');
     return ['--light', `sun:${[...toSun, ...irradiance].join()}`];
 }
-/* The RMSE between build/render's picture and the page's left side; of light, over the mean. */
+/* Returns the RMSE between build/render's picture and the page's left side; of light, over the mean. */
 async function apart(given) {
     const { width, height, light } = await page.evaluate(() => {
         const { width, height, pixels } = page.result(0);
@@ -198,7 +198,7 @@ for (const [scene, hash, given, off] of [
 
 /* ---- settings */
 
-/* The canvas and the panel beside it; calm: waits until the page rests. */
+/* Returns the canvas and the panel beside it; calm: waits until the page rests. */
 const seen = (page, calm = true) => page.evaluate(async calm => {
     for (let i = 0; i < 400 && calm && !page.smooth() && page.resting(); ++i) await new Promise(requestAnimationFrame);
     const { elements } = document.getElementById('panel'), notice = document.getElementById('notice');
@@ -221,7 +221,7 @@ await quietly('every word of every setting is drawn, on both sides', async () =>
     }
     note(`${all.length} addresses`);
 });
-/* The page must show the sentences that node makes of the same address and settings. */
+/* Returns the sentences that node makes of an address and settings, which the page must show. */
 const expected = (hash, { limits, before }) => {
     const { wrong } = read(hash, limits, before), shown = wrong.slice(0, 3), more = wrong.length - shown.length;
     return [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');

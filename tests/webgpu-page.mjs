@@ -22,8 +22,8 @@ const state = page => page.evaluate(() => ({
     notice: document.getElementById('notice').hidden ? '' : document.getElementById('notice').textContent,
     draws: !!page.inside().gpu, search: location.search, box: document.getElementById('webgpu-box').checked }));
 
-/* The differences of both sides' results and of the picture for an address. Light is divided by its mean. Its alpha is
-   not compared, as it is the filter's own, and neither are pixels without a surface. */
+/* Returns the differences of both sides' results and of the picture for an address. Light is divided by its mean. Its
+   alpha is not compared, as it is the filter's own, and neither are pixels without a surface. */
 const compare = (page, hash) => page.evaluate(async hash => {
     const draw = async gpu => {
         if (!!page.inside().gpu !== gpu) await page.webgpu(gpu);

@@ -21,7 +21,7 @@ SIZE = "--size 480x270"
 
 
 def said(program, line):
-    at = ROOT if program == STABILITY else None  # causes.csv is found from there
+    at = ROOT if program == STABILITY else None  # causes.csv is read from there
     return subprocess.run([program] + line.split(), check=True, capture_output=True, text=True, cwd=at).stdout
 
 
@@ -31,7 +31,7 @@ def channel(path, name):
 
 
 def boxes(name, solids):
-    """Writes closed boxes. If the second corner is below the first, the box is a room, seen from inside."""
+    """Writes a mesh of closed boxes. If the second corner is below the first, the box is a room, seen from inside."""
     quads = (1, 4, 3, 2), (5, 6, 7, 8), (1, 2, 6, 5), (4, 8, 7, 3), (2, 3, 7, 6), (1, 5, 8, 4)
     with open(name, "w") as f:
         for k, (a, b) in enumerate(solids):
@@ -43,7 +43,7 @@ def boxes(name, solids):
 
 
 def scored(scene, ways, truth=""):
-    """Yields the RMSE of each way to draw a scene, all against the same truth."""
+    """Yields the RMSE of each way to draw a scene, each against one truth that is traced once."""
     said(RENDER, "%s %s --truth 128 --out truth.exr" % (scene, truth))
     for way in ways:
         found = re.search(r"RMSE ([\d.]+)", said(RENDER, "%s %s --score truth.exr" % (scene, way)))
@@ -51,7 +51,7 @@ def scored(scene, ways, truth=""):
 
 
 def swept(cause, *methods):
-    """Yields build/stability's figure for each method."""
+    """Yields the figure that build/stability prints for each method."""
     asked = "".join(" --method " + m for m in methods)
     lines = said(STABILITY, "--quick --out build/failures/stability --cause %s%s" % (cause, asked)).splitlines()
     for head, row in zip(lines, lines[1:]):
@@ -69,7 +69,7 @@ def slabs(count):
 
 
 def far_corner():
-    """Yields the mean and the deviation along the lowest row of the far wall."""
+    """Yields the mean and the deviation of visibility along the lowest row of pixels of the far wall."""
     boxes("within.obj", [((7.5, 14.5, 7.5), (-7.5, -0.5, -7.5))])
     room = "within.obj --camera 0,0,5,0,0,0 --fovy 45 --size 800x600 --radius 0.5 "
     for way in ("--truth 64", "", "--method hsao-best", "--method hsao-best --set samples=12",
@@ -82,7 +82,7 @@ def far_corner():
 
 
 def cloud():
-    """Draws 40,000 splats of 3x3 pixels with one depth each. Pixels without a splat are background."""
+    """Draws 40,000 splats of 3x3 pixels, each with one depth. Pixels without a splat are background."""
     boxes("boxes.obj", [((-8, -1, -12), (8, 0, 4)), ((-1, 0, -5), (1, 2, -3)), ((1.5, 0, -3), (3, 1, -1.5))])
     scene = "boxes.obj --camera 6,5,9,0,1,-4 --fovy 50 --radius 2 " + SIZE
     said(RENDER, scene + " --save-gbuffer frame.exr --truth 64 --out truth.exr")
@@ -114,7 +114,7 @@ def facets():
 
 
 def shining(spark, ways):
-    """The brightest bounce on the floor: in front of a lit wall with a spark in it, or behind one without a spark."""
+    """Yields the brightest bounce on the floor: before a lit wall with a spark in it, or behind one without."""
     boxes("wall.obj", [((-1, -0.1, -6), (9, 0, 6)), ((-0.02, 0, -2), (0, 2, 2))])
     camera = "wall.obj --camera 9,6,3,1.8,0.3,0 --fovy 45 --radius 5 " + SIZE
     said(RENDER, camera + " --save-gbuffer frame.exr --out o.exr")

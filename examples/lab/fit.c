@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 enum { MOST_ROWS = 8192, MOST_TERMS = SSGI__PLAN_TERMS };
-/* cost: in software; only predicted if the choice was not timed. captured: the survey of a frame without slabs */
+/* A line of the csv. cost: in software; predicted if it was not timed. captured: a frame's survey without slabs. */
 typedef struct measured {
     char            view[64];
     ssgi_plan_scene scene;
@@ -25,7 +25,7 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Weights follow the predicted errors, so that the residues are about those of the logarithm. */
+/* Finds x by least squares. Weights follow predicted errors, so that residues are about those of the logarithm. */
 static double solve(double x[MOST_TERMS], const equation *rows, int count, int terms)
 {
     double residue = 0;
@@ -57,7 +57,7 @@ static double solve(double x[MOST_TERMS], const equation *rows, int count, int t
     return count ? sqrt(residue / count) : 0;
 }
 
-/* Prints such as ", 0.12f", with at most three decimals. */
+/* Prints a number as in the table, such as ", 0.12f", with at most three decimals. */
 static void literal(double v, int width, const char *end)
 {
     char text[32], padded[40];
@@ -67,7 +67,7 @@ static void literal(double v, int width, const char *end)
     printf("%-*s", *end == ',' ? width + 2 : 0, padded);
 }
 
-/* Reads a line of plan-fit.csv. */
+/* Reads a line of plan-fit.csv into a row. */
 static int read_row(measured *m, int *fits, const char *line)
 {
     ssgi_plan_scene *s = &m->scene;
@@ -90,7 +90,7 @@ static int read_row(measured *m, int *fits, const char *line)
                   &m->captured.occlusion, &m->captured.detail, &m->captured.solid) == 7 ? 0 : -1;
 }
 
-/* A calibration by some places is noisy, so it is replaced by the errors that were measured on the whole view. */
+/* Replaces a row's calibration, which is noisy from few places, by the errors measured on the whole view. */
 static void know(measured *row, int count)
 {
     for (int i = 0; i < count; ++i) {
@@ -109,7 +109,7 @@ static void know(measured *row, int count)
 static measured row[MOST_ROWS];
 static equation equations[MOST_ROWS];
 
-/* Terms of the cost of surfels: the choice's own (slices near by, the filter) at its resolution, the texels of its
+/* Terms of the cost of surfels: the choice's own cost (slices near by, the filter) at its resolution, the texels of its
    splats, the number of its surfels. */
 enum { OF_FULL, OF_HALF, OF_QUARTER, OF_TEXELS, OF_SURFELS, SPLAT_TERMS };
 
@@ -118,7 +118,7 @@ static int own_term(const ssgi__plan_row *r)
     return r->resolution == SSGI__PLAN_QUARTER ? OF_QUARTER : r->resolution ? OF_HALF : OF_FULL;
 }
 
-/* Fits the cost of splats in software. */
+/* Fits and prints the cost of splats in software. */
 static void fit_splats(int count, double own[MOST_TERMS])
 {
     int n = 0;
@@ -159,7 +159,7 @@ static void fit_survey(int count)
         }
 }
 
-/* Reads the lines of the csv that fit. Returns how many; -1: one is no row. */
+/* Reads the lines of the csv that fit the plan. Returns how many; -1: one is no row. */
 static int read_rows(FILE *f, const char *path)
 {
     char line[1024];
@@ -193,7 +193,7 @@ static int read_gpu(double gpu[SSGI_PLAN_CHOICES], FILE *f, const char *path)
     return 0;
 }
 
-/* Sets up the equations of a choice's error and returns how many; also lists its costs where they were timed. */
+/* Sets up the equations of a choice's error and returns how many. Also lists its costs on the rows that were timed. */
 static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
 {
     const ssgi__plan_row *r = &ssgi__plan_rows[c];
@@ -205,7 +205,7 @@ static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
         *timed += row[i].timed;
         equations[n].square = row[i].error * row[i].error;
         ssgi__plan_terms(equations[n].term, r, &row[i].scene);
-        /* a row's error follows the calibration of its own thickness model */
+        /* the error of a row follows the calibration of the row's own thickness model */
         if (!r->thickness && r->method != SSGI_PLAN_METHOD_DSS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
         if (r->thickness == SSGI_PLAN_THICKNESS_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
         ++n;
@@ -213,7 +213,7 @@ static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
     return n;
 }
 
-/* A choice's cost in software. If it was not measured, it stays as in ssgi.h. */
+/* Returns a choice's cost in software. If it was not measured, it stays as in ssgi.h. */
 static double cost_of(double *costs, int n, const ssgi__plan_row *r, double own)
 {
     qsort(costs, (size_t)n, sizeof *costs, by_value);
@@ -222,7 +222,7 @@ static double cost_of(double *costs, int n, const ssgi__plan_row *r, double own)
                                                             : costs[n / 2];
 }
 
-/* Prints a line of the table. */
+/* Prints a choice's line of the table ssgi__plan_rows. */
 static void print_choice(int c, int count, double own[MOST_TERMS], double gpu)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },

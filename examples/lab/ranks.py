@@ -39,7 +39,7 @@ def halves(scenes):
 
 random.seed(1)
 both = [load(path) for path in sys.argv[1:3]]
-kept = [i for i, v in enumerate(next(iter(both[0].values()))) if v == v]  # a method without visibility has NaN
+kept = [i for i, v in enumerate(next(iter(both[0].values()))) if v == v]  # methods without visibility have NaN
 for kind in range(-1, len(KINDS)):
     of = [[[row[i] for i in kept] for seed, row in rows.items() if kind in (-1, seed % 7)] for rows in both]
     a, b = means(of[0]), means(of[1])

@@ -13,11 +13,11 @@ static const float albedos[] = KIT_REFLECTED_ALBEDOS, roughnesses[] = KIT_REFLEC
 enum { ALBEDOS = (int)(sizeof albedos / sizeof *albedos), LOBES = (int)(sizeof roughnesses / sizeof *roughnesses),
        LIGHTS = ALBEDOS + LOBES };
 
-/* Visibility and cosines at a pixel; [0]: traced, [1]: drawn. */
+/* One pixel, [0] traced, [1] drawn: visibility; the mirrored direction's cosine to bent normal and to normal. */
 typedef struct seen { double visibility[2], bent[2], normal; } seen;
 enum { TRACED, DRAWN };
 
-/* NORMAL, BENT: by the functions of ssgi.h, about the normal or about the bent normal. */
+/* Ways to dim a reflection by visibility. NORMAL, BENT: by functions of ssgi.h, about the normal or the bent normal. */
 typedef enum manner { NOTHING, PLAIN, STRONG, NORMAL, BENT } manner;
 static const struct { const char *name; int by; manner how; } ways[] = {
     { "nothing is dimmed", TRACED, NOTHING },
@@ -42,7 +42,7 @@ static double dimmed(const seen *s, int light, int by, manner how)
                                             roughnesses[light - ALBEDOS]);
 }
 
-/* The cosine between the mirrored view direction and the bent normal of bands 0 and 1, in view space. */
+/* Returns the cosine between the mirrored view direction and the bent normal of bands 0 and 1, in view space. */
 static double cosine_to_bent(const kit_camera *camera, const kit_image *frame, const float *coefficient, int x, int y)
 {
     const size_t i = (size_t)y * WIDTH + (size_t)x;
@@ -60,7 +60,7 @@ static double cosine_to_bent(const kit_camera *camera, const kit_image *frame, c
     return kit_dot(ray, bent) - 2 * kit_dot(ray, n) * kit_dot(n, bent);
 }
 
-/* The coefficients that s3ho's filter wrote, the bottom row first. */
+/* Reads the coefficients that s3ho's filter wrote, the bottom row first. */
 static int coefficients_of(float *out, stage *s, kit_error *err)
 {
     kit_run run;
@@ -78,7 +78,7 @@ static int coefficients_of(float *out, stage *s, kit_error *err)
     return failed ? -1 : 0;
 }
 
-/* Adds up the squared errors of a scene: sum[way][light]. */
+/* Adds the squared errors of a scene by seed to sum[way][light]. */
 static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
 {
     static float coefficient[4 * WIDTH * HEIGHT];

@@ -38,7 +38,7 @@ static int end(page *record, const options *o, const char *name, kit_error *err)
     return page_end(record, o->out, name, err);
 }
 
-/* Measures sections into a record and prints their text. */
+/* Measures sections into a record and prints their text on stdout. */
 static int sections(FILE *record, const section *const *c, int count, const options *o, kit_error *err)
 {
     for (int k = 0; k < count; ++k) {
@@ -69,7 +69,7 @@ static int demo(const options *o, kit_error *err)
                : 0;
 }
 
-/* Fails if --method names no known method. */
+/* Fails if the option --method names no known method. */
 static int check_asked(const options *o, kit_error *err)
 {
     kit_method m;
@@ -85,7 +85,7 @@ static int check_asked(const options *o, kit_error *err)
                : 0;
 }
 
-/* With --scene ambient occlusion alone; with --method neither seeds nor the plan. */
+/* Makes the chart. With --scene it has ambient occlusion alone; with --method neither seeds nor the plan. */
 static int chart(const options *o, kit_error *err)
 {
     static const section *const all[] = { &ao_chart, &lit_chart, &fields_chart, &deep_chart, &seeds_chart };
@@ -100,13 +100,13 @@ static int chart(const options *o, kit_error *err)
     return end(&record, o, "chart", err);
 }
 
-/* Scenes by seed are not timed, so several are measured at once. */
+/* Measures scenes by seed ahead, several at once, as they are not timed. */
 static int chart_ahead(const options *o, kit_error *err)
 {
     return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
 }
 
-/* A record of one section. */
+/* Makes a record of one section. */
 static int alone(const section *c, const char *name, const char *command, const options *o, kit_error *err)
 {
     page record;
@@ -116,7 +116,7 @@ static int alone(const section *c, const char *name, const char *command, const 
                : 0;
 }
 
-/* Light on every pair of a scene and a probe. */
+/* Makes the chart of light on every pair of a scene and a probe. */
 static int light(const options *o, kit_error *err)
 {
     if (o->scenes) return kit_fail(err, "--scene: light shows pairs of all scenes and probes (--quick: few)");
@@ -138,7 +138,7 @@ static int seeds(const options *o, kit_error *err)
     return alone(&own, tuned ? "seeds-fit" : "seeds", command, o, err);
 }
 
-/* The plan on views that it was not fitted on. */
+/* Makes the chart of the plan, on views that it was not fitted on. */
 static int plan(const options *o, kit_error *err)
 {
     page record;
@@ -147,7 +147,7 @@ static int plan(const options *o, kit_error *err)
     return end(&record, o, "plan", err);
 }
 
-/* The tables and figures of five papers, beside those of comparable scenes drawn here. */
+/* Makes the record of the tables and figures of five papers, beside those of comparable scenes drawn here. */
 static int papers(const options *o, kit_error *err)
 {
     page record;
@@ -164,7 +164,7 @@ static int papers(const options *o, kit_error *err)
 
 static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
 
-/* The options of a command beside --out and --context. ahead: runs before there is a GL context; NULL: nothing. */
+/* Bits for a command's options beside --out and --context. ahead: runs before there is a GL context; NULL: none. */
 enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, COMMIT = 64 };
 typedef int step(const options *o, kit_error *err);
 static const struct command { const char *name, *about; int takes; step *run, *ahead; } commands[] = {
@@ -178,8 +178,8 @@ static const struct command { const char *name, *about; int takes; step *run, *a
     { "fit", "The errors that build/fit fits the planner's table to: plan-fit.csv.", 0, fit, plan_fit_ahead },
     { "plan", "The planner on views that it was not fitted on: plan.csv.", 0, plan, plan_ahead }
 };
-/* of: the commands that take the option; what: its value in the help, NULL: it has none; most: its limit as a number,
-   0: it is a text; at: its member of options. */
+/* A table of options. of: the commands that take the option; what: its value in the help, NULL: it has none; most: its
+   limit as a number, 0: it is a text; at: its member of options. */
 static const struct argument { const char *name, *what, *about; int of, most; size_t at; } arguments[] = {
     { "--out", "FOLDER", "The folder to write into [report].", 0, 0, offsetof(options, out) },
     { "--context", "NAME", "osmesa, egl or egl-es: the source of the GL context.", 0, 0, offsetof(options, context) },
@@ -200,7 +200,7 @@ static const struct argument { const char *name, *what, *about; int of, most; si
 
 static const char usage[] = "report demo | chart | light | seeds | papers | fit | plan [options]";
 
-/* Options behind the commands, each with those that take it. */
+/* Prints the help: the commands, and behind them the options, each with the commands that take it. */
 static int helped(int argc, char **argv)
 {
     enum { LONGEST = 160 };

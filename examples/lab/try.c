@@ -1,10 +1,8 @@
-/* try.c - settings tried on scenes by seed, for tuning: --help says how.
-
-   The truth is at every eleventh pixel both ways, and kept in build/cache. One process a core.
-   Noise and error in bands are of visibility on smooth surfaces in shade (lab/measure/bands.h), in thousandths. The
-   bands go to 1.2, 3, 8 and 20 pixels. Noise is the difference of two phases; of light it is the difference to the same
-   settings with 32 slices, over the mean light. The error is that against two truths at every pixel, without their
-   noise. */
+/* try.c - measures settings on scenes by seed, for tuning: --help says how. The truth is at every eleventh pixel both
+   ways, and kept in build/cache. One process a core. Noise and error in bands are of visibility on smooth surfaces in
+   shade (lab/measure/bands.h), in thousandths. The bands go to 1.2, 3, 8 and 20 pixels. Noise is the difference of two
+   phases; of light it is the difference to the same settings with 32 slices, over the mean light. The error is that
+   against two truths at every pixel, without their noise. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,12 +25,12 @@ typedef struct trial {
     float radius; /* times the scene's own */
     const char *out, *other, *scenes;
     tried entry[MOST_TRIED];
-    double (*seed)[2 * MOST_TRIED][MEASURED]; /* shared by the processes; NAN: not measured */
+    double (*seed)[2 * MOST_TRIED][MEASURED]; /* figures by seed, shared by processes; NAN: not measured */
 } trial;
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
-/* The error of visibility, of irradiance or of one bounce. */
+/* Returns the error of a picture of visibility, of irradiance or of one bounce. */
 static double error_of(const stage *s, const kit_image *picture, kit_error *err)
 {
     row r = row_blank(0, s->name, "", "", "");
@@ -40,7 +38,7 @@ static double error_of(const stage *s, const kit_image *picture, kit_error *err)
     return s->lit ? r.error[s->lit->bounce ? 2 : 1] : r.score.rmse;
 }
 
-/* With "models" the seed chooses the model, and the camera. */
+/* Makes the name of a seed's scene. With "models" the seed chooses the model, and the camera. */
 static int name_scene(char name[128], const char *scenes, int seed, kit_error *err)
 {
     snprintf(name, 128, "%s:%d", scenes, seed);
@@ -49,7 +47,7 @@ static int name_scene(char name[128], const char *scenes, int seed, kit_error *e
              : kit_fail(err, "--scenes models: no package has brought any: make model-deps");
 }
 
-/* Irradiance or its bounce as one channel, divided by its mean. */
+/* Makes a picture of one channel of irradiance or its bounce, divided by its mean. */
 static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_error *err)
 {
     const size_t pixels = (size_t)light->width * (size_t)light->height;
@@ -66,7 +64,7 @@ static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_e
     return 0;
 }
 
-/* The noise of slices; other methods do not have more of them, and are left out. */
+/* Measures the noise of light by slices; other methods cannot have more of them, and are left out. */
 static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m, const kit_image *picture,
                           kit_error *err)
 {
@@ -84,7 +82,7 @@ static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m,
     return failed ? -1 : 0;
 }
 
-/* Draws one setting and measures it. pair: NULL for light. */
+/* Draws one setting and measures its figures. pair: two truths of visibility; NULL for light. */
 static int measure_entry(double figure[MEASURED], stage *s, const tried *e, const shaded *m, const kit_image *pair,
                          double nothing, kit_error *err)
 {
@@ -141,7 +139,7 @@ static int measure_one(void *of, int seed, kit_error *err)
     return measure_seed(t, seed - t->from, err);
 }
 
-/* Measures in one process a core. Seeds that failed there are measured once more here, and the error says why. */
+/* Measures seeds in one process a core. Those that failed there are measured again here, and err says why. */
 static int measure_all(trial *t, kit_error *err)
 {
     const ahead a = { "seeds", NULL, t->from, t->count, NULL, measure_one, t };
@@ -156,7 +154,7 @@ static int measure_all(trial *t, kit_error *err)
 
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
 
-/* Errors of column i, less those of column from (unless below 0), over seeds of a kind (below 0: of all kinds). */
+/* Statistics of column i's errors, less column from's (unless below 0), on seeds of a kind (below 0: of all). */
 static spread errors_of(const trial *t, int i, int from, int kind)
 {
     double value[MOST_SEEDS];
@@ -167,7 +165,7 @@ static spread errors_of(const trial *t, int i, int from, int kind)
     return spread_of(value, t->count);
 }
 
-/* Prints bands of noise or error, in thousandths, over scenes where they are known, and the difference to from's. */
+/* Prints noise or error in bands, in thousandths, over scenes that have it, and the difference to column from's. */
 static void print_bands(const trial *t, int i, int from, int first, const char *what)
 {
     static double own[MOST_SEEDS], other[MOST_SEEDS];
@@ -217,7 +215,7 @@ static int write_csv(const trial *t, kit_error *err)
     return fclose(f) ? kit_fail(err, "%s: cannot be written", t->out) : 0;
 }
 
-/* Reads another build's figures into the columns from MOST_TRIED on. */
+/* Reads the figures that another build's --out wrote into the columns from MOST_TRIED on. */
 static int read_other(trial *t, kit_error *err)
 {
     FILE *f = fopen(t->other, "r");

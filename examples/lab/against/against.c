@@ -18,9 +18,9 @@
 
 enum { SCENES = 12 }; /* seeds 0 to 11, on which settings may be tuned */
 
-/* Limits of means over the scenes. SHARE is extended by half of the 95 % interval that comes from tracing the truth at
-   few pixels: another pattern of noise changes the relative error by as much. If the RMSE of a scene is below SEEN, an
-   eighth of a grey level, its correlation counts as 0. */
+/* Limits of means over the scenes. SHARE, the limit of the relative error's change, is extended by half of the 95 %
+   interval that comes from tracing the truth at few pixels: another pattern of noise changes the relative error by as
+   much. If the RMSE of a scene is below SEEN, an eighth of a grey level, its correlation counts as 0. */
 static const double BIAS = 0.0002, SHARE = 0.002, SHAPE = 0.2, SEEN = 0.0005;
 
 /* ---- >>pictures -------------------------------------------------------------------------------------------------- */
@@ -35,14 +35,14 @@ typedef struct found {
 } found;
 
 static struct {
-    const char *render[2]; /* of the old build and of the new one */
+    const char *render[2]; /* two build/render: the old build's, the new one's */
     int wanted[SUBJECTS];
     place place[SCENES]; /* place[k] is the scene random:k */
     found found[SUBJECTS][SCENES];
     int compared, broken, missing; /* numbers of rows */
 } all;
 
-/* Runs a command. If it fails, the error is the first line that it printed. */
+/* Runs a command. If it fails, err gets the first line that the command printed. */
 static int run(const char *command, kit_error *err)
 {
     char line[512] = "", rest[512];
@@ -78,7 +78,7 @@ static int draw(kit_image *out, const subject *u, const place *p, int is_new, ki
     return 0;
 }
 
-/* Fills in the relative errors of both pictures: RMSE over the RMSE of no occlusion. */
+/* Fills in the relative errors of both builds' pictures: RMSE over the RMSE of no occlusion. */
 static int judge(found *f, const subject *u, const look *l, const kit_image *const picture[2], kit_error *err)
 {
     const quantity *q = &quantities[u->quantity];
@@ -103,7 +103,7 @@ static int judge(found *f, const subject *u, const look *l, const kit_image *con
     return 0;
 }
 
-/* The rows first .. last - 1, which share one picture. */
+/* The rows first .. last - 1 of the comparison, which share one picture. */
 typedef struct drawing {
     int first, last;
 } drawing;
@@ -136,7 +136,7 @@ static double figure(const found *f, int which)
                            : f->apart.rmse > SEEN ? f->apart.patches : 0;
 }
 
-/* mean: over the scenes; worst: the value that is farthest from 0, and whose scene it is. */
+/* One quantity over all scenes. mean: over the scenes; worst: the value that is farthest from 0, and its scene. */
 typedef struct summary {
     double mean, worst;
     int whose;
@@ -156,7 +156,7 @@ static summary summarise(const found f[SCENES], int which)
     return s;
 }
 
-/* Writes the difference as a picture; it is red at pixels that are brighter in the new picture. */
+/* Writes the two builds' difference as a picture; it is red at pixels that are brighter in the new picture. */
 static int show(const subject *u, place *p, double rmse, kit_error *err)
 {
     const char *channel = quantities[u->quantity].channel[quantities[u->quantity].lit];
@@ -184,7 +184,7 @@ static void print_head(void)
     fflush(stdout);
 }
 
-/* Prints a row's line. Returns how many limits the row breaks. */
+/* Prints the line of row i of the comparison. Returns how many limits the row breaks. */
 static int print_row(int i)
 {
     static const char *const limited[FIGURED] = { NULL, "bias", "share", "shape" };
@@ -230,7 +230,7 @@ static void add_csv(FILE *f, int i)
     }
 }
 
-/* Draws one picture in all scenes and prints the rows that it belongs to. */
+/* Draws one picture in all scenes by both builds, and prints the rows that belong to this picture. */
 static int compare(const drawing *d, FILE *csv, kit_error *err)
 {
     const subject *u = &subjects[d->first];

@@ -5,7 +5,7 @@
 
 const int compared_lag[COMPARED_LAGS] = { 1, 3 };
 
-/* The difference in one channel; a value is NAN if its pixel is not compared. */
+/* The difference of two pictures in one channel; a value is NAN if its pixel is not compared. */
 typedef struct difference {
     int width, height;
     float *value;
@@ -36,7 +36,7 @@ static double correlation(const difference *d, int right, int down)
     return pairs && variance > 1e-9 * mean * mean ? sum / (double)pairs / variance : 0;
 }
 
-/* Adds the means of patches in which more than half of the pixels are compared. */
+/* Adds the mean difference of each 8x8 patch of pixels in which more than half are compared. */
 static void add_patches(difference *patches, const difference *d)
 {
     enum { PIXELS = COMPARED_PATCH * COMPARED_PATCH };
@@ -56,7 +56,7 @@ static void add_patches(difference *patches, const difference *d)
     }
 }
 
-/* Adds one channel's sums to out, and its correlations times weight. */
+/* Adds one channel's sums of differences to out, and its correlations times weight. */
 static void compare(compared *out, difference *d, difference *patches, double weight)
 {
     for (int l = 0; l < COMPARED_LAGS; ++l) {
@@ -115,7 +115,7 @@ int errors_of(errors *out, const kit_image *const picture[2], const kit_image *t
     }
     const double known = (double)c.values / count;
     for (size_t i = 0; i < pixels; ++i) {
-        double more = 0; /* squared error of the second picture less that of the first */
+        double more = 0; /* squared error of b less that of a */
         if (mask && !(mask[i] > 0)) continue;
         for (int k = 0; k < count; ++k) {
             const double is = (double)kit_image_channel(truth, channels[k])[i],

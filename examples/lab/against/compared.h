@@ -4,10 +4,10 @@
 
 #include "kit/kit.h"
 
-/* About the difference a - b. values: how many are compared; rmse is NAN if one of them is no number. across, down: the
-   autocorrelation of the difference at lags of compared_lag pixels; patches: the correlation between the means of
-   neighbouring 8x8 patches; 0 if the difference is the same everywhere. Filtered noise correlates with itself a few
-   pixels away, but its means over patches do not. A change of shapes lasts from patch to patch. */
+/* The statistics of the difference a - b. values: how many are compared; rmse is NAN if one of them is no number.
+   across, down: the autocorrelation of the difference at lags of compared_lag pixels; patches: the correlation between
+   the means of neighbouring 8x8 patches; 0 if the difference is the same everywhere. Filtered noise correlates with
+   itself a few pixels away, but its means over patches do not. A change of shapes lasts from patch to patch. */
 enum { COMPARED_LAGS = 2, COMPARED_PATCH = 8 };
 extern const int compared_lag[COMPARED_LAGS];
 typedef struct compared {
@@ -15,7 +15,7 @@ typedef struct compared {
     double rmse, bias, across[COMPARED_LAGS], down[COMPARED_LAGS], patches;
 } compared;
 
-/* Compares the pixels at which mask is above 0 (mask NULL: all of them), over all of the channels together. */
+/* Compares a and b at the pixels at which mask is above 0 (NULL: at all), over all of their channels together. */
 int compared_of(compared *out, const kit_image *a, const kit_image *b, const char *const *channels, int count,
                 const float *mask, kit_error *err);
 

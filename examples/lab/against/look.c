@@ -26,7 +26,7 @@ int look_middles(kit_image *out, const kit_image *in, kit_error *err)
     return 0;
 }
 
-/* Traces the truth and takes the middle pixel of each block. */
+/* Traces the truth and takes the middle pixel of each block of LOOK_STRIDE x LOOK_STRIDE pixels. */
 static int trace(kit_image *out, const stage *s, const lit *light, float radius, kit_error *err)
 {
     stage of = *s;
@@ -40,7 +40,7 @@ static int trace(kit_image *out, const stage *s, const lit *light, float radius,
     return failed;
 }
 
-/* The scene's own light with and without a bounce. OPEN: a radius so small that nothing within it blocks light. */
+/* The scene's own light with a bounce and without. OPEN: a factor so small that OPEN * radius reaches no occluder. */
 static const lit own_light = { .rays = SEED_RAYS, .exposure = 1, .bounce = 1 },
                  open_light = { .rays = SEED_RAYS, .exposure = 1 };
 static const float OPEN = 1e-4f;
@@ -83,7 +83,7 @@ static int save(const stage *s, const place *p, int by, kit_error *err)
     return failed;
 }
 
-/* The height of an orthographic picture: that of the perspective one at the median of the visible depths. */
+/* Returns the height of an orthographic view: the perspective view's height at the median of the visible depths. */
 static float ortho_height(const kit_camera *camera, const kit_image *shown)
 {
     const int pixels = shown->width * shown->height;
@@ -96,7 +96,7 @@ static float ortho_height(const kit_camera *camera, const kit_image *shown)
     return height;
 }
 
-/* Returns what the rows of a view need: 1 for visibility, plus 2 for light. */
+/* Returns the truths that the rows of a view need: 1 for visibility, plus 2 for light. */
 static int wants(const int *wanted, int by)
 {
     int all = 0;

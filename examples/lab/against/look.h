@@ -12,15 +12,15 @@
 enum { LOOK_WIDTH = SEED_WIDTH, LOOK_HEIGHT = SEED_HEIGHT, LOOK_STRIDE = SEED_STRIDE, LOOK_FRAMES = 8 };
 #define LOOK_ORBIT 0.5
 
-/* One camera's view. shown: Z of each pixel. At the pixels with a truth: middles (Z), truth and nothing (the value
-   without occlusion), each of visibility and light. light: the mean light of unoccluded surfaces. */
+/* One camera's view of a scene. shown: channel Z of each pixel. At the pixels with a truth: middles (Z), truth and
+   nothing (the value without occlusion), for visibility and light. light: mean light of unoccluded surfaces. */
 typedef struct look { kit_image shown, middles, truth[2], nothing[2]; double light; } look;
 typedef struct place { int seed; char name[16], env[32]; look by[VIEWS]; } place;
 
-/* Loads a scene, saves its frames, and traces or reads the truth that the rows need (wanted[i] is 1 if subject i is
-   drawn). A GL context must be open. */
+/* Loads scene random:SEED, saves its frames, and traces or reads the truth that the rows need (wanted[i] is 1 if
+   subject i is drawn). A GL context must be open. */
 int   place_open(place *p, int seed, const int *wanted, kit_error *err);
-look *place_look(place *p, int view);          /* one for all views that show the same */
+look *place_look(place *p, int view);          /* one look for all views with the same camera */
 void  place_frame(char path[64], const place *p, int view);
 /* Copies the middle pixel of each LOOK_STRIDE x LOOK_STRIDE block. */
 int   look_middles(kit_image *out, const kit_image *in, kit_error *err);

@@ -2,7 +2,7 @@
 #ifndef LAB_SUBJECTS_H
 #define LAB_SUBJECTS_H
 
-/* lit: 1 if the truth is of light, whose errors are divided by the mean light of unoccluded surfaces. */
+/* The quantity that a row compares. lit: 1 if it is light; its errors are divided by the mean unoccluded light. */
 enum { VISIBILITY, IRRADIANCE, BOUNCE, QUANTITIES };
 typedef struct quantity { const char *word, *channel[3]; int channels, lit; } quantity;
 extern const quantity quantities[QUANTITIES];
@@ -11,8 +11,8 @@ extern const quantity quantities[QUANTITIES];
    itself, with window depth; TURNED: the eighth frame of a camera that turns about the scene. */
 enum { FRAME, SLABS, ORTHOGRAPHIC, SCENE, TURNED, VIEWS };
 
-/* new_alone: settings for the new build alone, with which it must draw what the old build draws without them. Rows of
-   one name have one picture and stand together. */
+/* A row of the comparison. new_alone: settings that only the new build gets, and with which it must draw the same
+   picture as the old build without them. Rows of one name have one picture and stand together. */
 typedef struct subject { const char *name, *method, *settings; int quantity, view; const char *new_alone; } subject;
 enum { SUBJECTS = 25 };
 extern const subject subjects[SUBJECTS];

@@ -11,12 +11,12 @@
 #include <string.h>
 #include "lab/measure/folder.h"
 
-/* Seconds for all rows, and of these for the plan's choices. */
+/* The bench's limits in seconds: for all rows, and the part of it that the plan's choices may take. */
 enum { LIMIT_GPU = 270, LIMIT_SOFTWARE = 480 };
 
 #define PLAN_SHARE 0.3
 
-/* The options, by their names on the command line and in make; NULL: not given. */
+/* The options, as indices of their values (NULL: not given). Command line and make have the same names. */
 enum { CONTEXT, SCENE, METHOD, SIZE, OUT, PLAN, SECONDS, OPTIONS };
 static const struct { const char *name, *make; } names[OPTIONS] = {
     { "--context", "CONTEXT" }, { "--scene", "SCENE" }, { "--method", "METHOD" }, { "--size", "SIZE" },
@@ -40,7 +40,7 @@ static int parse(options a, int argc, char **argv, kit_error *err)
     return 0;
 }
 
-/* Reads a whole number of least .. most; -1: the text is no such number. */
+/* Reads a whole number of least .. most. Returns -1 if the text is no such number. */
 static int whole(int *out, const char *text, int least, int most)
 {
     char *end;
@@ -49,7 +49,7 @@ static int whole(int *out, const char *text, int least, int most)
     return end == text || *end || v < least || v > most ? -1 : 0;
 }
 
-/* Sets plan and time limits as asked for, else as suits the context. */
+/* Sets the choices of the plan to time and the time limits: by the options, or else to the context's defaults. */
 static int limits_of(bench *b, options a, kit_error *err)
 {
     int only = -1;
@@ -78,7 +78,7 @@ static int sizes_of(bench *b, const char *text, kit_error *err)
     return kit_fail(err, "--size %s: must be up to %d of 8x8 .. %dx%d, by commas", all, BENCH_SIZES, MOST, MOST);
 }
 
-/* Writes the options as a command of make. */
+/* Writes the command of make that has these options. */
 static void command_of(bench *b, options a)
 {
     size_t n = (size_t)snprintf(b->command, sizeof b->command, "make bench");
@@ -87,7 +87,7 @@ static void command_of(bench *b, options a)
             n += (size_t)snprintf(b->command + n, sizeof b->command - n, " %s=%s", names[k].make, a[k]);
 }
 
-/* Without a context's name: opens EGL's, and the CPU's if there is no EGL. */
+/* Opens a GL context. Without a context's name: EGL's, or the CPU's if there is no EGL. */
 static int context_open(const char *context, kit_error *err)
 {
     if (context || !kit_gl_open("egl", err)) return context ? kit_gl_open(context, err) : 0;
@@ -112,7 +112,7 @@ static int bench_open(bench *b, options a, kit_error *err)
     return b->count < 0 || folder_make(a[OUT], err) ? -1 : 0;
 }
 
-/* Times the rows at one size. end: when the rows, the plan's choices (0: not at this size) and the bench must end. */
+/* Times the rows at size s. end: when the rows, the plan's choices (0: not at this size) and the bench must end. */
 static int bench_size(bench *b, int s, const double end[3], kit_error *err)
 {
     kit_camera camera = b->scene.camera;
@@ -145,7 +145,7 @@ static int bench_all(bench *b, kit_error *err)
     int failed = 0;
     rows_progress(0);
     for (int s = 0; s < b->sizes && !failed; ++s) {
-        /* The plan's choices follow the first size. The other sizes share the time that is left. */
+        /* The plan's choices are timed after the first size. The other sizes share the time that is left. */
         const double now = kit_seconds(), rows = now + (began + limit - now - (s ? 0 : plan)) / (b->sizes - s);
         /* the first size is drawn however long it takes */
         const double end[3] = { rows, b->planned && !s ? rows + plan : 0, s ? began + limit : HUGE_VAL };

@@ -7,7 +7,7 @@ static const char *const triangle =
     "    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n"
     "}\n";
 
-/* The copied texture is noise, so that the GPU cannot compress it. */
+/* GLSL of noise, which the copied texture holds so that the GPU cannot compress it. */
 static const char *const noise = "out vec4 o_noise;\n"
                                  "void main() {\n"
                                  "    uvec2 p = uvec2(gl_FragCoord.xy);\n"
@@ -21,10 +21,10 @@ static const char *const copy = "uniform sampler2D t_from;\n"
                                 "out vec4 o_to;\n"
                                 "void main() { o_to = texelFetch(t_from, ivec2(gl_FragCoord.xy), 0); }\n";
 
-/* A CPU draws the second size. */
+/* The sizes of the copied texture, on a GPU and on a CPU. */
 static const int sizes[2][2] = { { 3840, 2160 }, { 1280, 720 } };
 
-enum { MOVED = 16 }; /* bytes a pixel, read and written */
+enum { MOVED = 16 }; /* bytes a pixel that a copy reads and writes */
 
 static void draw(GLuint program, GLuint framebuffer, GLuint to, const int size[2])
 {
@@ -35,7 +35,7 @@ static void draw(GLuint program, GLuint framebuffer, GLuint to, const int size[2
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/* The shortest time of some draws, in milliseconds, after a few draws that warm up. */
+/* Returns the shortest of some draws' times in milliseconds, after a few draws that warm up. */
 static double shortest(GLuint program, GLuint framebuffer, GLuint to, const int size[2])
 {
     const double began = kit_seconds(), seconds = kit_gl_is_software() ? 0.3 : 0.15;

@@ -30,7 +30,7 @@ int plan_choose(plan_costs *costs, int only, kit_error *err)
     return count ? 0 : kit_fail(err, "--plan %d: that choice is not one of a gather and its filters", only);
 }
 
-/* Draws an unblurred ssao, then the choice, and notes the ratio of their times. */
+/* Draws an unblurred ssao, then the plan's choice, and notes the ratio of their times. */
 static int compare(choice *c, const kit_method *unit, const place *p, double seconds, kit_error *err)
 {
     timing of[2] = { { .frames = 0 }, { .frames = 0 } };

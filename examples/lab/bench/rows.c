@@ -7,7 +7,7 @@ static const char *const more[][2] = { { "ssao", "directions=32" },  { "hsao", "
                                        { "hsao", "thickness=back" }, { "hsao", "thickness=slabs" },
                                        { "hsao", "history=1" },   { "ssdo", "bounce=none" },
                                        { "ssdo", "reuse=1" } };
-/* the methods for which a machine without a GPU has time */
+/* the methods that the bench times without a GPU, as there is no time for all */
 static const char *const few[] = { "ssao", "hsao-fast", "hsao", "hsao-best", "ssdo", "s3ho" };
 
 static int chosen(const char *name, const char *asked)
@@ -48,7 +48,7 @@ void rows_quartiles(double quartile[3], double *v, int count)
 
 /* ---- >>time ------------------------------------------------------------------------------------------------------ */
 
-/* The part that collects a pass; NULL: there are too many parts. */
+/* Returns the part of a timing that collects a pass's times; NULL: there are too many parts. */
 static part *part_of(timing *t, const kit_pass *p)
 {
     const char *name = ssgi_gl_pass_name(p->desc.pass);
@@ -59,7 +59,7 @@ static part *part_of(timing *t, const kit_pass *p)
     return &t->part[k];
 }
 
-/* Notes how many bytes the passes of a frame move. They are the same in each round. */
+/* Notes how many bytes each pass of a frame moves, once, as they are the same in each round. */
 static void note_bytes(timing *t, const kit_run *run)
 {
     t->bytes = 0;
@@ -75,7 +75,7 @@ static void note_bytes(timing *t, const kit_run *run)
 
 static int most_frames(void) { return kit_gl_is_software() ? BENCH_FRAMES / 4 : BENCH_FRAMES; }
 
-/* Draws frames and times each pass alone. Sums the medians of passes of one name. */
+/* Draws frames and times each pass alone. Adds the median times of passes that have one name. */
 static int time_passes(timing *t, kit_run *run, unsigned n, double seconds, kit_error *err)
 {
     static double ms[KIT_MAX_PASSES][BENCH_FRAMES];
@@ -95,7 +95,7 @@ static int time_passes(timing *t, kit_run *run, unsigned n, double seconds, kit_
     return 0;
 }
 
-/* Warms up first, so that the GPU runs at its full clock. */
+/* Times the frames of a method. Warms up first, so that the GPU runs at its full clock. */
 static int time_run(timing *t, kit_run *run, double seconds, int apart, kit_error *err)
 {
     const double began = kit_seconds(), warming = kit_gl_is_software() ? 0 : 0.1;
@@ -148,7 +148,7 @@ static void time_row(bench_row *r, int size, const place *p, double seconds)
 
 void rows_round(bench_row *rows, int count, int size, const place *p)
 {
-    /* the other half is left for compiling and warming up */
+    /* half of the time is drawing; the other half is left for compiling and warming up */
     const double seconds = fmax(0, 0.5 * (p->end - kit_seconds()) / count);
     for (int i = 0; i < count; ++i) {
         if (!*rows[i].why && kit_seconds() < p->last) time_row(&rows[i], size, p, seconds);

@@ -17,7 +17,7 @@ static int most_of(const bench *b, int frames)
     return most;
 }
 
-/* Writes the text above the table of times and that above the table of bounds, for stdout and for the record. */
+/* Writes the texts that explain the table of times and the table of bounds, for stdout and for the record. */
 static void about_times(char out[1200], const bench *b)
 {
     snprintf(out, 1200,
@@ -76,7 +76,7 @@ static void csv_plan(FILE *f, const bench *b)
 
 /* ---- >>all ------------------------------------------------------------------------------------------------------- */
 
-/* The csv as text, and the rows that are missing in it. */
+/* Prints the csv as a text, and below it the rows that could not be drawn. */
 static void text_all(FILE *f, const bench *b, const csv *c, const char *times, const char *bounds)
 {
     fprintf(f, "%s\n\n%s\n\n", times, bounds);

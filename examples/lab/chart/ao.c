@@ -11,11 +11,11 @@
 
 /* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
-static const float DEMO_ERROR = 0.03f;      /* the error that the demo's planned row asks for */
+static const float DEMO_ERROR = 0.03f;      /* the RMSE that the demo asks the plan for */
 enum { DEMO_ROUNDS = 3, AO_PHASES = 2 };
 _Static_assert((int)MOST_ROWS + (int)MOST_PEERS <= (int)MOST_SET_ROWS, "more rows than MOST_SET_ROWS");
 
-/* Measures the demo's methods, and the method that the plan chooses for DEMO_ERROR. */
+/* Measures the demo's methods, and the method that the plan chooses for an error of DEMO_ERROR. */
 static int measure_planned(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
                            kit_error *err)
 {
@@ -55,7 +55,7 @@ const section ao_demo = { .name = "ao", .sets = WITH_COUNT(demos), .width = 800,
 
 /* ---- >>peers: other libraries' effects beside the library's rows ------------------------------------------------- */
 
-/* One line: how the peers are scored on the chart, or why there are none. */
+/* Returns one line: how the peers are scored on the chart, or why there are none. */
 static const char *peers_note(void)
 {
     return *peers_missing() ? peers_missing()
@@ -65,9 +65,9 @@ static const char *peers_note(void)
 
 /* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
-enum { AO_GIVENS = 2 };                           /* the floor and no AO */
+enum { AO_GIVENS = 2 };                           /* rows of the given pictures: the floor and no AO */
 static found chart_found[MOST_SCENES];
-static int scenes;                               /* of the chart, also those that are missing here */
+static int scenes;                               /* of the chart, with those whose package is missing */
 
 int ao_entries(const options *o)
 {
@@ -77,7 +77,7 @@ int ao_entries(const options *o)
 
 static int units(const options *o) { return scenes = o->scenes ? o->scenes : stage_views_count; }
 
-/* The k-th of the scenes that are asked for; without such, of all that are there. */
+/* Returns the k-th view of the scenes in --scene, or without this option of all that are there. */
 static view view_at(const options *o, int k)
 {
     view v = { .name = o->scenes ? o->scene[k] : stage_views[k].name, .path = o->scenes ? o->scene[k] : NULL };
@@ -140,7 +140,7 @@ static void head(FILE *record, const options *o)
     }
 }
 
-/* Prints the means over all scenes. */
+/* Prints the chart's table of ambient occlusion: means over all scenes. */
 static void text(FILE *f)
 {
     const row *rows[MOST_SCENES];

@@ -1,4 +1,4 @@
-/* deep.c - the sections on deep screen space: the demo's pictures; the effect of size, epsilon, levels and other
+/* deep.c - the sections on deep screen space: the demo's pictures; the effect of surfel size, epsilon, levels and other
    choices; the time of each stage. Declared in chart.h. */
 #include "lab/chart/chart.h"
 #include "lab/chart/deep_stage.h"
@@ -7,8 +7,8 @@
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
 #define DSS(label, settings, quick) { label, "dss", settings, quick }
-/* Both settings have the same reach, radius sqrt(1 / epsilon - 1) 2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1.
-   half: drawn at half the width and height, and brought to full size bilinearly. */
+/* A table of entries for figure 9 of the paper. Both settings have the same reach, radius sqrt(1 / epsilon - 1)
+   2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: drawn at half the width and height, and enlarged. */
 static const sized deep_figure9[] = {
     { DSS("5 levels", COARSE ",resolution=full,levels=5,epsilon=0.1", 1), 0 },
     { DSS("full size, 1 level", COARSE ",resolution=full,levels=1,epsilon=0.000433839", 1), 0 },
@@ -51,7 +51,7 @@ static int full_sizes(FILE *record, const options *o, row *rows, kit_error *err)
     return COUNT(deep_figure9);
 }
 
-/* Times the entries on one picture, without a truth. Returns how many rows. */
+/* Times the entries on one view, without a truth. Returns how many rows it filled. */
 static int costs(row *rows, const deep_view *v, int width, int height, const entry *entries, int count, int of,
                  int rounds, kit_error *err)
 {
@@ -164,7 +164,7 @@ static const set sets[] = {
     { "Deep screen space: how costs grow", "Bunny on a floor; one thing grows at a time.", .own = grown }
 };
 
-/* The demo traces fewer samples than the chart for the truth of scattered light. */
+/* Opens the stage of a set. The demo traces fewer samples than the chart for the truth of scattered light. */
 static int open(stage *s, const section *c, const set *t, kit_error *err)
 {
     if (deep_load(s, t->see, err)) return -1;

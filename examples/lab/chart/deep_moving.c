@@ -4,7 +4,7 @@
 #include <string.h>
 #include "lab/chart/deep_stage.h"
 
-/* The camera turns away from the box that occludes, until the box has left the picture. The ground beside it stays. */
+/* A camera turns, in TURNS steps, until the occluding box has left the picture. The ground beside it stays in. */
 enum { TURNS = 9, FRAMES = 5 };
 static const float turn_eye[3] = { 0.35f, 0.9f, 2.8f }, turn_from = -8, turn_to = 21,
                    ground_bounds[2][3] = { { 0.16f, -0.1f, -0.15f }, { 0.5f, 0.1f, 0.2f } };
@@ -28,7 +28,7 @@ _Static_assert(TURNS * COUNT(deep_watched) <= MOST_SET_ROWS, "more rows than MOS
 
 /* ---- >>turn ------------------------------------------------------------------------------------------------------ */
 
-/* The camera's angle at step k. Steps are small while the box leaves the picture. */
+/* Returns the camera's angle at step k. Steps are small while the box leaves the picture. */
 static float turn_angle(int k, int steps)
 {
     const float to_go = 1 - (float)k / (float)(steps - 1);
@@ -45,7 +45,7 @@ static int turn_open(stage *s, float angle, kit_error *err)
     return deep_open(s, &see, err);
 }
 
-/* A mask of the ground beside the box, the same ground at each step; NULL: no memory. */
+/* Returns a mask of the ground beside the box, the same ground at each step of the camera; NULL: no memory. */
 static float *turn_mask(const stage *s)
 {
     const int width = s->frame.width, pixels = width * s->frame.height;
@@ -94,12 +94,12 @@ int deep_turns(FILE *record, const options *o, row *rows, kit_error *err)
 
 /* ---- >>motion ---------------------------------------------------------------------------------------------------- */
 
-/* The pictures of all frames, first those of the truth, then those of each method. */
+/* The pictures of all frames of the moving camera, first those of the truth, then those of each method. */
 enum { MOVED = COUNT(deep_moved) };
 static kit_camera camera[FRAMES];
 static kit_image frame[FRAMES], moved[1 + MOVED][FRAMES];
 
-/* Opens frame k. Camera and target are a step to the right of those of the frame before. */
+/* Opens frame k of the moving camera. Eye and target are a step to the right of those of the frame before. */
 static int motion_frame(int k, kit_error *err)
 {
     const float step = 0.01f;
@@ -119,8 +119,8 @@ static int motion_frame(int k, kit_error *err)
     return 0;
 }
 
-/* Takes the place that pixel i of the first frame shows, and adds the variance of its values over the frames. Returns 0
-   and adds nothing if some frame does not show the place. */
+/* Takes the point of the scene that pixel i of the first frame shows, and adds the variance of its values over the
+   frames. Returns 0 and adds nothing if some frame does not show that point. */
 static int motion_place(double sum[1 + MOVED], int i)
 {
     const int width = frame->width;

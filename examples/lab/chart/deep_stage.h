@@ -4,7 +4,7 @@
 
 #include "lab/chart/section.h"
 
-/* box[k] is added to the scene if its upper y is above its lower y. */
+/* A view for deep screen space. box[k] is added to the scene if its upper y is above its lower y. */
 typedef struct deep_view { view view; float box[4][6]; otherwise otherwise; } deep_view;
 enum { DEEP_WIDTH = 320, DEEP_HEIGHT = 180 };
 
@@ -15,7 +15,7 @@ extern const lit deep_sky, deep_lamp, deep_behind;
     { name, BUNNY, ground, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, radius, lit }, NO_BOX
 #define NO_BOX    { { 0 } }
 #define BUNNY_AO  { BUNNY_VIEW("bunny-on-floor", 1, 0.6f, NULL), PLAINLY }
-/* As in ssdo, an occluder counts less the farther away it is within the radius. */
+/* Light that fades: as in ssdo, an occluder counts less the farther away it is within the radius. */
 #define FADING    { BUNNY_VIEW("light-fading", 1, 0.6f, &deep_sky), PLAINLY }
 #define WHOLE_LIGHT { BUNNY_VIEW("light-whole", 1, 0.6f, &deep_sky), WHOLLY }      /* as in dss-lit */
 #define LOBE      { { "gloss", "cornell", 0, { 0 }, { 0 }, 0, 1.5f, &deep_lamp }, NO_BOX, { 1, GLOSS, 8, 0, NULL } }
@@ -28,7 +28,7 @@ extern const lit deep_sky, deep_lamp, deep_behind;
 int  deep_load(stage *s, const deep_view *v, kit_error *err);
 int  deep_open(stage *s, const deep_view *v, kit_error *err);
 
-/* Measure a camera that turns away and one that moves. They return how many rows; -1 = failed. */
+/* Fill rows: a camera that turns away from an occluder, and one that moves. Return how many rows; -1 = failed. */
 int  deep_turns(FILE *record, const options *o, row *rows, kit_error *err);
 int  deep_motion(FILE *record, const options *o, row *rows, kit_error *err);
 

@@ -18,8 +18,8 @@
     { CLOSE("two-" shape "s"), { { shape, 1, { -0.6f, 0.501f, 0 } }, { shape, 1, { 0.6f, 0.501f, 0 } } }, \
       NO_BOXES, 0, 256 }
 
-/* The cost of occluders. seen: an index of cost_setups; rows of one setup follow each other. occluders: how many
-   objects cast, from object 1 on; 0: as in the scene; -1: a cube with the occluder's bounding sphere takes its
+/* A row on the cost of occluders. seen: an index of cost_setups; rows of one setup follow each other. occluders: how
+   many objects cast, from object 1 on; 0: as in the scene; -1: a cube with the occluder's bounding sphere takes its
    place. */
 typedef struct cost { int seen; const char *label, *settings; int occluders; float size; int quick; } cost;
 static const setup cost_setups[] = { ON_FLOOR(16), ON_GROUND("ball", 16),
@@ -39,7 +39,8 @@ static const cost costs[] = {
     { 2, "100 occluders", "reach=4", 100, 0, 0 }
 };
 
-/* triangles: of a lumpy ball; 0: the label's first word names the shape. threads: 0 = one for each core. */
+/* A row on a bake's time. triangles: of a lumpy ball; 0: the label's first word names the mesh. threads: 0 = all
+   cores. */
 typedef struct bake { const char *label, *settings; int triangles, threads, quick; } bake;
 static const bake bakes[] = {
     { "lumpy ball", "", 1000, 0, 1 },
@@ -66,7 +67,7 @@ enum { FIELD_WIDTH = 240, FIELD_HEIGHT = 135, COST_WIDTH = 640, COST_HEIGHT = 36
 
 /* ---- >>own sets -------------------------------------------------------------------------------------------------- */
 
-/* Changes which objects cast. The G-buffer was drawn before and stays as it is. */
+/* Changes which objects cast. The G-buffer was drawn before and is not drawn again. */
 static int cast_by(stage *s, const cost *c, const ssgi_field_desc *d, kit_error *err)
 {
     static const float grey[3] = { 0.7f, 0.7f, 0.7f };
@@ -119,7 +120,7 @@ static int costs_of(FILE *record, const options *o, row *all, kit_error *err)
     return sum;
 }
 
-/* Makes positions alone, of so many triangles or a few less. */
+/* Makes a ball of at most that many triangles with a lumpy surface: positions alone. */
 static int lumpy_ball(kit_mesh *mesh, int triangles, kit_error *err)
 {
     const int n = (int)(sqrt(triangles) / 2);
@@ -127,7 +128,7 @@ static int lumpy_ball(kit_mesh *mesh, int triangles, kit_error *err)
     mesh->triangles = 4 * (size_t)n * (size_t)n;
     mesh->position = malloc(9 * mesh->triangles * sizeof(float));
     if (!mesh->position) return kit_fail(err, "out of memory");
-    for (int k = 0; k < 12 * n * n; ++k) {                      /* two triangles for each of 2n x n cells */
+    for (int k = 0; k < 12 * n * n; ++k) {                      /* two triangles for each of 6 n^2 cells */
         static const int corner[6][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 }, { 1, 1 }, { 0, 1 } };
         const int cell = k / 6;
         const double a = acos(-1) * (cell % (2 * n) + corner[k % 6][0]) / n,
@@ -158,7 +159,7 @@ static int bakes_of(FILE *record, const options *o, row *rows, kit_error *err)
         kit_mesh ball = { 0 };
         if (o->quick && !b->quick) continue;
         *r = row_blank(OF_BAKE, "bake", b->label, "aof", b->settings);
-        kit_fields_free();                                      /* all fields are baked anew and timed */
+        kit_fields_free();                                      /* drops kept fields, so that each bake is timed */
         if (b->threads) setenv("KIT_THREADS", "1", 1);
         if (fields_desc(&d, b->settings, err) || (b->triangles && lumpy_ball(&ball, b->triangles, err))) return -1;
         if (fields_baked(r, b->triangles ? &ball : *b->label == 'c' ? cube : bunny.shape, &d, err)) return -1;
@@ -176,7 +177,7 @@ static int bakes_of(FILE *record, const options *o, row *rows, kit_error *err)
 /* Combines the visibilities of two occluders in three ways, and compares these with the visibility under both. */
 static void combined(row *r, const stage *s, const kit_image *each)
 {
-    const double tolerance = 0.002;                             /* the error of the truth itself */
+    const double tolerance = 0.002;                             /* the RMSE that the two truths themselves have */
     const float *z = kit_image_channel(&s->frame, "Z");
     double square[3] = { 0 };
     size_t n = 0, between = 0;
@@ -198,7 +199,7 @@ static int pairs_of(FILE *record, const options *o, row *rows, kit_error *err)
     (void)o;
     int count = 0;
     for (int k = 0; k < COUNT(pairs); ++k) {
-        kit_image each[2][2];                                   /* [0]: ray-traced, [1]: by its field */
+        kit_image each[2][2];                                   /* [0]: ray-traced, [1]: by the object's field */
         int one = 0, other;
         stage s;
         if (fields_open(&s, &pairs[k].setup, FIELD_WIDTH, FIELD_HEIGHT, err)) return -1;
@@ -286,7 +287,7 @@ static int measure(FILE *record, row *rows, stage *s, const entry *entries, int 
     return fields_measure(rows, s, entries, count, picture, err) ? -1 : count;
 }
 
-/* The scene's colours in white light from everywhere, dimmed by the visibility, which is in channel Y. */
+/* Writes the scene's colours in white light from everywhere, dimmed by channel Y of visibility. */
 static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, kit_error *err)
 {
     static const char *const names[3] = { "albedo.R", "albedo.G", "albedo.B" };

@@ -12,7 +12,7 @@ void fields_place(float to_world[16], float size, const float at[3])
     to_world[15] = 1;
 }
 
-/* Leaves out the pixels that show the object, which does not shade itself. */
+/* Leaves out of the score the pixels that show an object, as an object's field does not shade the object itself. */
 static int leave_out(stage *s, int object, kit_error *err)
 {
     const int width = s->gbuffer.width, height = s->gbuffer.height;

@@ -23,11 +23,11 @@ typedef struct setup {
 
 void fields_place(float to_world[16], float size, const float at[3]);
 int  fields_open(stage *s, const setup *f, int width, int height, kit_error *err);
-/* The desc of the bake that a method's settings ask for. */
+/* Fills in the desc of the bake that a method's settings ask for. */
 int  fields_desc(ssgi_field_desc *d, const char *settings, kit_error *err);
-/* Adds a bake to a row, which may be blank or have other bakes: memory and time add up, the largest error stays. */
+/* Adds a bake to a row, which may be blank or have other bakes: adds memory and time, keeps the largest error. */
 int  fields_baked(row *r, const kit_mesh *shape, const ssgi_field_desc *d, kit_error *err);
-/* Draws occlusion by the entries' fields: fills a row for each entry and one of no AO, and the entries' pictures. */
+/* Draws occlusion by the entries' fields: fills a row for each entry and one of no AO, and gives their pictures. */
 int  fields_measure(row *rows, stage *s, const entry *entries, int count, kit_image *picture, kit_error *err);
 
 #endif

@@ -31,8 +31,8 @@ static const lit band_lits[] = {
 #define SCENE(name, scene, lit) &(const view){ name, scene, 0, { 0 }, { 0 }, 0, 0, lit }
 #define BOXES(lit) &(const view){ "bunny", BUNNY, 1, { -0.1f, 1.1f, 4.4f }, { 0, -0.25f, 0 }, 32, 0.6f, lit }
 
-/* Rows of directions=16,fade=none,range_check=0 have 16 points, one on each direction, as the papers on point sampling
-   have: so all methods get the same visibility. */
+/* Explains rows of directions=16,fade=none,range_check=0: they have 16 points, one on each direction, as the papers on
+   point sampling have, so that all methods get the same visibility. */
 #define LOCAL "Suns are local: blocked within the radius as the environment is, not by the whole scene."
 enum { PROBE_STRIDE = 14, PHASES = 8 };
 _Static_assert(ON_STRIDE(PROBE_STRIDE), "noise is probed where there is no truth");

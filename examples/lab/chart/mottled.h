@@ -5,12 +5,12 @@
 
 #include "lab/measure/bands.h"
 
-/* smooth: the pixels of a stage that show a smooth surface in shade; pair: two truths of the stage. */
+/* How noise is measured. smooth: the pixels of a smooth surface in shade; pair: two truths with other noise. */
 typedef struct mottled { shaded smooth; kit_image pair; } mottled;
-/* The stage must be looked at, and not compared yet: then all pixels of its frame count. */
+/* Finds the smooth pixels, traces the truths. Call it between stage_look and stage_compare: all pixels count. */
 int  mottled_open(mottled *m, const stage *s, kit_error *err);
 void mottled_close(mottled *m);
-/* Draws the row's method once more with each of two phases of its noise, and fills in the bands. */
+/* Draws a row's method with each of two phases of its noise, and fills in the row's bands of noise and error. */
 int  mottled_row(row *r, const mottled *m, stage *s, kit_error *err);
 
 #endif

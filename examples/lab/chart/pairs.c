@@ -13,7 +13,7 @@
 #define INTERIOR_PACKAGE "blender-data"
 
 enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180 };
-/* lit[0]: the probe alone; lit[1]: with boxes beside the bunny. The truth's noise is below 1 % of the mean. */
+/* A table of lights. lit[0]: the probe alone; lit[1]: with boxes by the bunny. Noise is below 1 % of the mean. */
 #define LIT(env, rays, exposure) \
     { { env, { NULL }, 0, 0, 0, rays, exposure, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, exposure, NO_CROPS } }
 static const struct { const char *name; lit lit[2]; int quick; } probes[] = {
@@ -67,9 +67,9 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     v.lit = &probes[k % PROBES].lit[scenes[k / PROBES].boxes];
     if (stage_load(&s, &v, err) || stage_look(&s, &v, PAIR_WIDTH, PAIR_HEIGHT, err)) return -1;
     s.stride = LIT_STRIDE;
-    s.rays = s.lit->rays;                           /* not fewer in a quick chart, so that the noise stays below 1 % */
+    s.rays = s.lit->rays;                           /* also in a quick chart: the truth's noise stays below 1 % */
     if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, QUICK_ROUNDS, 0, picture, err)) return -1;
-    row *beside = rows + count;                     /* measure has put the row of no occlusion there */
+    row *beside = rows + count;                     /* the row of no occlusion, which measure added */
     beside[1] = beside[0];
     beside[1].label = open_label;
     if (stage_visibility(&visible, &s, err) || stage_dim(&visible, &s, err)

@@ -14,8 +14,8 @@ static const double planned_errors[4][PLANNED_ERRORS] = { { 0.015, 0.02, 0.03, 0
                                              { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
                                              { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
                                              { 0.01, 0.015, 0.02, 0.03, 0.05, 0.08 } };
-/* Verdicts: of how many plans each is true, and of how many it might be. GOOD: at most 1.2 times the error asked for,
-   at most 1.25 times the cost of the cheapest choice that meets it. TOLD: the plan says if no choice meets it. */
+/* Of how many plans each verdict is true, and of how many it might be. GOOD: at most 1.2 times the error asked for, at
+   most 1.25 times the cost of the cheapest choice that meets it. TOLD: the plan says if no choice meets it. */
 enum { GOOD, GOOD_NEEDED, WITHIN, TOLD, VERDICTS };
 static const char *const verdict_names[VERDICTS] = { "", ", where doing nothing would not do",
                                                      ", within 1.2 of the error alone",
@@ -33,7 +33,7 @@ static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
     char settings[256];
     const char *name = kit_plan_text(settings, p, wanted);
     snprintf(out, 320, "%s%s%s", name ? name : "nothing", name && *settings ? " " : "", name ? settings : "");
-    for (char *at = out; *at; ++at) if (*at == ',') *at = ' ';        /* a comma would end the cell */
+    for (char *at = out; *at; ++at) if (*at == ',') *at = ' ';        /* a comma would begin another cell of the csv */
     return out;
 }
 
@@ -44,11 +44,11 @@ static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
            && a->field_resolution == b->field_resolution && !(fabsf(a->surfel_size - b->surfel_size) > 0);
 }
 
-/* How much the plan knows of a scene: a calibration; a survey; of a survey, the part that a captured frame gives. */
+/* How a plan knows its scene: by rays; by a survey; by the part of a survey that a captured frame gives. */
 enum { CALIBRATED, SURVEYED, CAPTURED, KNOWN };
 
-/* Compares the plan for an error that is asked for with the cheapest measured choice that meets it. csv (NULL: none):
-   the plan's choice, its predicted error, its measured error and cost; the cheapest choice, its error and cost. */
+/* Compares the plan for an error with the cheapest measured choice that meets it. Writes to csv (NULL: none) the plan's
+   choice, its predicted error, its measured error and cost; the cheapest choice, its error and cost. */
 static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int known, int history)
 {
     static const char *const names[] = { "visibility", "light", "bounce", "objects" };
@@ -79,7 +79,7 @@ static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int
                 plan_name(text[1], &cheapest, r->numbers.wanted), r->error[best], r->cost[best], good);
 }
 
-/* fits: 1; or 2 if the choices were not timed. */
+/* Writes a row's numbers as lines of a csv. fits: 1 if the row fits the plan; 2 if its choices were also not timed. */
 static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
 {
     const ssgi_plan_scene *n = &r->numbers;
@@ -121,8 +121,8 @@ int plan_fit(const char *out, kit_error *err)
     return page_close(&csv, out, "plan-fit.csv", err);
 }
 
-/* Sets: scenes at hand, scenes by seed. A set's verdicts, by how much is known, count plans with and without
-   history. */
+/* Two sets of scenes: named ones and those by seed. A set's verdicts, by how the plan knows a scene, count plans with
+   and without history. */
 enum { SCENES, SEEDS, SETS };
 static verdict verdicts[SETS][KNOWN];
 
@@ -144,7 +144,7 @@ static int plan_summary(FILE *record, const char *out, kit_error *err)
     return page_csv(record, "rows", &csv, out, "plan-summary.csv", err);
 }
 
-/* Judges the rows from first to count - 1 of one set, and counts the verdicts. */
+/* Judges rows first .. count - 1, which are of one set, and counts the verdicts. */
 static void judge_all(verdict v[KNOWN], FILE *csv, const planned_row *rows, int first, int count)
 {
     fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", csv);

@@ -1,5 +1,5 @@
-/* planned.c - measures the plan's choices: with their times on views of scenes, without them on scenes by seed.
-   Declared in planned.h. */
+/* planned.c - measures the errors of the plan's choices, with their times on views of scenes and without times on
+   scenes by seed. Declared in planned.h. */
 #include "lab/chart/planned.h"
 #include <math.h>
 #include <stdlib.h>
@@ -11,8 +11,8 @@
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-/* turn: of the eye about its target, in radians; radius: over the scene's own; objects: occlusion between objects,
-   too */
+/* turn: of the eye about its target, in radians; radius: times the scene's own; objects: 1 for occlusion between
+   objects */
 typedef struct plan_view {
     const char *scene;
     int fits;
@@ -31,12 +31,12 @@ static const plan_view planned_views[] = {
     { "plates", 0, 0, 1, 1.2f, 0 },
     { "crowd", 0, 0, 1, 1, 1 }
 };
-/* "suns": two soft suns, a pink and a turquoise one */
+/* "suns": two soft suns instead of an environment, a pink and a turquoise one */
 static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
 
 enum {
     PLANNED_VIEWS = COUNT(planned_views),
-    PLANNED_SLOW = 20, /* in times of an unblurred 16-sample ssao */
+    PLANNED_SLOW = 20, /* a cost, in times of an unblurred 16-sample ssao */
     PLANNED_QUICK_RAYS = 256
 };
 
@@ -58,7 +58,7 @@ static int planned_suns(stage *s, kit_error *err)
     return 0;
 }
 
-/* Turns the view and moves it nearer to the target. A view from far aside is also lower. */
+/* Turns a view's eye and moves it nearer to the target. An eye that turned far aside is also lower. */
 static void planned_turn(view *v, const plan_view *p, const kit_scene *scene)
 {
     if (!(v->fovy > 0)) {
@@ -73,7 +73,7 @@ static void planned_turn(view *v, const plan_view *p, const kit_scene *scene)
     for (int k = 0; k < 3; ++k) v->eye[k] = v->target[k] + p->nearer * e[k];
 }
 
-/* Returns 1; 0 if the package of the scene is missing. */
+/* Opens the stage of a view. Returns 1; 0 if the package of the scene is missing. */
 static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
 {
     view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
@@ -88,7 +88,7 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
     return stage_look(s, &v, SEED_WIDTH, SEED_HEIGHT, err) ? -1 : 1;
 }
 
-/* Draws a choice, and times it. The picture of light is visibility times the light of an unoccluded surface. */
+/* Draws and times one choice. Light is drawn as visibility times the light of an unoccluded surface. */
 static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan *p, int wanted, kit_run *fixed,
                         int timed, kit_error *err)
 {
@@ -110,7 +110,7 @@ static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan 
         kit_run_close(&run);
         return 0;
     }
-    const double slow = kit_run_ms(&run); /* a slow choice keeps the time of its first draw */
+    const double slow = kit_run_ms(&run); /* a slow choice is not drawn again: this is its time */
     before = clock_draw(fixed);
     const double ms = p->cost < PLANNED_SLOW ? clock_draw(&run) : slow;
     after = clock_draw(fixed);
@@ -150,7 +150,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
 
 static int is_lit(int wanted) { return wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE; }
 
-/* Measures the choices for a wanted quantity on a stage that is looked at, and closes the stage. */
+/* Measures the plan's choices for a wanted quantity on a stage after stage_look, and closes the stage. */
 static int stage_measure(planned_row *r, stage *s, const char *name, int wanted, int rays, int timed, kit_error *err)
 {
     kit_image truth;
@@ -163,7 +163,7 @@ static int stage_measure(planned_row *r, stage *s, const char *name, int wanted,
     return 0;
 }
 
-/* Measures the k-th view for a wanted quantity. quick: fewer rays. Returns 1; 0 if the view's package is missing. */
+/* Measures view k for a wanted quantity. quick: fewer rays. Returns 1; 0 if the package of its scene is missing. */
 static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error *err)
 {
     const plan_view *p = &planned_views[k];
@@ -217,10 +217,10 @@ static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
                : 0;
 }
 
-/* A hash of the program, tables included, on which the kept results depend. */
+/* Returns a hash of this program and its tables, on which the kept results depend. */
 static uint64_t program(void) { return units_hash(KIT_HASH, "/proc/self/exe"); }
 
-/* A seed's rows. They are read from build/cache if they are there. */
+/* Measures the rows of a scene by seed, or reads them from build/cache if they are there. */
 static int seed_rows(planned_row rows[SEED_WANTED], int seed, uint64_t key, kit_error *err)
 {
     char path[128], *data;

@@ -30,7 +30,7 @@ int section_about(FILE *record, stage *s, const char *text, int times, int strid
     return 0;
 }
 
-/* A picture as the demo shows it. A picture of light is exposed. */
+/* Returns a picture as the demo shows it: a picture of light is exposed. */
 static int seen_of(kit_image *out, const section *c, const stage *s, const kit_image *picture, kit_error *err)
 {
     if (c->seen) return c->seen(out, s, picture, err);
@@ -40,7 +40,7 @@ static int seen_of(kit_image *out, const section *c, const stage *s, const kit_i
     return 0;
 }
 
-/* Writes the colours of differences as a ramp, as report.js shows them beside a page_key. */
+/* Writes the colours of differences as a ramp, which report.js shows as the key of the pictures of differences. */
 static int legend(const char *out, kit_error *err)
 {
     kit_image ramp, zero;
@@ -52,7 +52,7 @@ static int legend(const char *out, kit_error *err)
     return failed;
 }
 
-/* Shows one picture and, if a method drew it, its difference to the truth, for the first picture that is shown. */
+/* Shows one picture. If a method drew it, shows its difference to the truth as well, but only for the first picture. */
 static int figure(FILE *record, const options *o, const section *c, const stage *s, const pictured *p, const row *r,
                   const kit_image *truth, kit_error *err)
 {
@@ -70,8 +70,8 @@ static int figure(FILE *record, const options *o, const section *c, const stage 
     return legend(o->out, err);
 }
 
-/* Shows the truth, the given pictures and the methods' pictures: whole, then enlarged parts. rows: first those of
-   methods, then the given ones. */
+/* Shows the truth, the given pictures and the methods' pictures: whole, then enlarged parts. rows: those of methods
+   come first, then those of the given pictures. */
 static int figures(FILE *record, const options *o, const section *c, const set *t, const stage *s, const row *rows,
                    const kit_image *picture, int methods, kit_error *err)
 {
@@ -101,7 +101,7 @@ static int figures(FILE *record, const options *o, const section *c, const set *
 
 /* ---- >>sets ------------------------------------------------------------------------------------------------------ */
 
-/* Keeps the rows, with the section's own columns; if it has any, the floor's row goes. Returns how many are left. */
+/* Keeps rows and sets the section's own columns; if it has any, the floor's row goes. Returns how many are left. */
 static int kept_of(row *rows, int count, const section *c, const stage *s, const char *scene)
 {
     int kept = 0;
@@ -135,7 +135,7 @@ static int set_measure(FILE *record, const section *c, const set *t, const optio
     return kept;
 }
 
-static const section *now;                       /* the section of unit_of_set's sets */
+static const section *now;                       /* the section whose sets unit_of_set measures */
 
 static int unit_of_set(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
@@ -167,7 +167,7 @@ static const char *title_of(const section *c, int k)
     return c->sets[k].title;
 }
 
-/* Measures the k-th unit and keeps its rows in c->found[k]. */
+/* Measures the k-th unit of a section and keeps its rows in c->found[k]. */
 static int find(FILE *record, const section *c, const options *o, int k, kit_error *err)
 {
     static row rows[MOST_SET_ROWS];

@@ -1,5 +1,5 @@
 /* section.h - a chart's sections. A section is a list of sets; a set is a table of rows on one view. section.c measures
-   sets, and makes a part of the page, lines of a csv and text of each. The demo also shows pictures at full size. */
+   sets, and writes a part of the page, csv and text for each. The demo also shows pictures at full size. */
 #ifndef LAB_SECTION_H
 #define LAB_SECTION_H
 
@@ -10,60 +10,60 @@ enum { MOST_SET_ROWS = 128 };
 
 typedef struct set set;
 typedef struct section section;
-/* The rows of a set or a unit. name: of its scene; row NULL: nothing was measured. */
+/* The rows of a set or a unit. name: of its scene; row NULL: it was not measured. */
 typedef struct found { char name[64]; row *row; int count; } found;
 
 struct set {
-    const char *title, *about;             /* title NULL: under the heading of the set before it */
-    const void *see;                       /* for the section's open: a view, or a struct that begins with one */
-    const char *rows;                      /* the name of a set of UNITS_ROWS */
-    int quick;                             /* 1: chart --quick shows it, too */
-    const char *kind;                      /* the view of report.js that shows it; NULL: "rows" */
-    int phases;                            /* phases that split error from noise; 0: no split */
-    /* Instead of rows: fills the rows and returns how many there are; -1 = failed. */
+    const char *title, *about;             /* title NULL: the set stands under the heading of the one before it */
+    const void *see;                       /* read by the section's open(): a view, or a struct that begins with one */
+    const char *rows;                      /* the name of a set of lines in UNITS_ROWS */
+    int quick;                             /* 1: chart --quick shows the set, too */
+    const char *kind;                      /* the view of report.js that shows the set; NULL: "rows" */
+    int phases;                            /* phases of noise that split error from noise; 0: no split */
+    /* Measures the set in place of rows: fills the rows and returns how many there are; -1 = failed. NULL: see rows. */
     int (*own)(FILE *record, const options *o, row *rows, kit_error *err);
-    int crop[MOST_CROPS][4];               /* of the demo's pictures, if the view's light has no crops */
+    int crop[MOST_CROPS][4];               /* parts of the demo's pictures, if the view's light has no crops */
 };
 
 struct section {
-    const char *name, *csv;                /* names of its units and of its csv; NULL: no csv, only the record */
-    const char *method;                    /* the method that --method must allow for a set with own */
+    const char *name, *csv;                /* names of units and of the csv; csv NULL: the record alone */
+    const char *method;                    /* for a set with own(): the method that --method must allow */
     const set *sets;
     int count, width, height, stride, rounds;
-    int of[2];                             /* columns of unlit and lit rows, with no floor; 0: the rows' own */
+    int of[2];                             /* groups of columns of unlit and lit rows; 0: the rows' own */
     int (*open)(stage *s, const section *c, const set *t, kit_error *err);
-    /* Fills rows and pictures and returns how many pictures; given rows follow. NULL: measure_entries. */
+    /* Fills rows and pictures and returns how many pictures; given rows follow. NULL: measure_entries does it. */
     int (*measure)(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
                    kit_error *err);
     int probe_times, probe_stride;         /* for section_about */
-    /* For the demo. range: of the differences; 0: small pictures alone. beside: given pictures are shown, too. */
+    /* For the demo. range: of the shown differences; 0: small pictures alone. beside: given pictures are shown, too. */
     double range;
     int crop_times, beside;
     int (*seen)(kit_image *out, const stage *s, const kit_image *picture, kit_error *err);
 
-    /* A section without sets has this many units, each measured by unit. They make one table, shown by the view kind of
-       report.js below title and head; the units' own parts of the page follow. */
-    const char *title, *kind, *parts;      /* parts: the heading above these, NULL: none */
+    /* A section without sets has this many units, each measured by unit(). Their rows make one table, which the view
+       kind of report.js shows below title and head; the units' own parts of the page follow. */
+    const char *title, *kind, *parts;      /* parts: the heading above the units' own parts, NULL: none */
     int (*units)(const options *o);
     measuring *unit;
     void (*head)(FILE *record, const options *o);
-    void (*write)(FILE *csv, const options *o);      /* NULL: the csv of table.h */
-    void (*text)(FILE *f);                           /* NULL: a table for each set */
+    void (*write)(FILE *csv, const options *o);      /* writes the section's csv; NULL: the csv is that of table.h */
+    void (*text)(FILE *f);                           /* prints the section's text; NULL: a table for each set */
     found *found;                                    /* room for the results */
 };
 
-/* How many units are asked for. The next two measure the section and print its text. */
+/* Returns how many units of a section are asked for. The next two measure the section, and print its text. */
 int  section_units(const section *c, const options *o);
 int  section_chart(FILE *record, const section *c, const options *o, kit_error *err);
 void section_text(FILE *f, const section *c);
-/* Prints a line for each row of the fullest scene: the spread of its error over all scenes. */
+/* Prints for each row of the scene with the most rows: the mean and interval of its error over all scenes. */
 void section_spreads(FILE *f, const section *c, int count);
-/* The scene with the most rows; -1: none. section_alike: every scene's row that is like the given one, else NULL. */
+/* Returns the scene with the most rows; -1: none. section_alike: a scene's row that is like the given one, or NULL. */
 int  section_fullest(const section *c, int count);
 void section_alike(const row **out, const section *c, int count, const row *like);
 
-/* Writes the text above a stage's pictures. If times is not 0, it has the truth's own error, measured with so many
-   times its rays at every stride-th pixel. */
+/* Writes the text above a stage's pictures. If times is not 0, it names the truth's own error, measured at every
+   stride-th pixel with so many times the truth's rays. */
 int  section_about(FILE *record, stage *s, const char *text, int times, int stride, kit_error *err);
 
 #endif

@@ -13,8 +13,8 @@
 
 enum { EACH = 3 * KIT_KINDS, MODELS = 7, SEEDS_QUICK = KIT_KINDS, DRAWN_FROM = 10000, DRAWN = 100000 };
 
-/* One measurement of a scene; the first also has the peers' rows. smaller: by this the picture's width and height are
-   divided; stride: of the truth; error: the index of a lit row's error that counts, -1: the part is of visibility. */
+/* One measurement of a scene: a set of rows; the first also has the peers'. smaller: divides the picture's width and
+   height; stride: of the truth; error: the index of a lit row's error that counts, -1: it is of visibility. */
 typedef struct part { const char *what, *rows; int smaller, stride, bounce, error; } part;
 static const part parts[] = {
     { "visibility", "seeds",        1, SEED_STRIDE, 0, -1 },
@@ -26,12 +26,12 @@ enum { PARTS = COUNT(parts) };
 
 /* ---- >>scenes ---------------------------------------------------------------------------------------------------- */
 
-/* set: tuned, asked, judged, drawn or models; kind: a word of kit_scene_kind, or models. */
+/* A scene of the chart. set: tuned, asked, judged, drawn or models; kind: a word of kit_scene_kind, or models. */
 typedef struct place { char name[64], path[128]; const char *set, *kind; int seed; } place;
 
 static const char *commit_of(const options *o) { return o->commit ? o->commit : ""; }
 
-/* The i-th seed drawn by the commit's hash, so that nobody saw its scene before. Each kind has as many. */
+/* Returns the i-th seed drawn by the commit's hash, so that nobody saw its scene before. All kinds get as many. */
 static int drawn_seed(const options *o, int i)
 {
     const uint64_t hash = kit_hash(kit_hash(KIT_HASH, commit_of(o), strlen(commit_of(o))), &i, sizeof i);
@@ -46,7 +46,7 @@ static int model_of(place *p, int i)
     return stage_model(p->path, i);
 }
 
-/* Finds the k-th scene; 0: there is none. */
+/* Finds the k-th scene of the chart. Returns 0 if there is none. */
 static int place_of(place *p, const options *o, int k)
 {
     const int each = o->seeds ? o->seeds : o->quick ? SEEDS_QUICK : EACH;
@@ -104,7 +104,7 @@ static int tone_map(kit_image *picture, const stage *s, kit_error *err)
     return 0;
 }
 
-/* Draws out/SLUG.png by the scene's environment and lights. Afterwards the stage has no light again. */
+/* Draws out/SLUG.png, the scene under its own environment and lights. Afterwards the stage has no light again. */
 static int own_picture(FILE *record, stage *s, const char *out, const char *slug, const char *note, kit_error *err)
 {
     kit_image picture;
@@ -128,7 +128,7 @@ static int small_picture(FILE *record, const stage *s, const options *o, const p
 
 /* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
 
-/* Returns 1; 0 if a package that the scene needs is missing, which is written to record unless that is NULL. */
+/* Opens a scene's stage. Returns 1; 0 if a package is missing, which is written to record unless that is NULL. */
 static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_error *err)
 {
     kit_error why = { "" };
@@ -184,7 +184,7 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
     return peers < 0 ? -1 : behind + peers;
 }
 
-/* Measures rows of a small picture, of light by the scene's environment, or of its one bounce. Light has two rows more:
+/* Measures the rows of a part in a small picture: light by the scene's environment, or its one bounce. Adds two rows:
    true visibility times light, and the truth's noise. */
 static int part_rows(const options *o, const place *p, const part *of, row *rows, kit_image *visible, kit_error *err)
 {
@@ -200,7 +200,7 @@ static int part_rows(const options *o, const place *p, const part *of, row *rows
         stage_close(&s);
         return count;
     }
-    const double open = rows[count].error[of->error];               /* measure has put the row of no occlusion there */
+    const double open = rows[count].error[of->error];               /* measure_entries put no occlusion's row there */
     if (!of->bounce
         && (stage_dim(visible, &s, err) || score_named(&rows[count++], &s, "true visibility", visible, err)))
         return -1;
@@ -235,7 +235,7 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
 
 /* ---- >>ahead ----------------------------------------------------------------------------------------------------- */
 
-/* Each process puts its results into the units that are kept. */
+/* What seeds_ahead gives each process, which keeps its results as units of the chart. */
 typedef struct ahead_of { const options *o; row *rows; page unseen; } ahead_of;
 
 static int begin(void *of, kit_error *err)
@@ -262,7 +262,7 @@ int seeds_ahead(const options *o, kit_error *err)
 
 /* ---- >>csv ------------------------------------------------------------------------------------------------------- */
 
-/* The index of the gain and exponent that fit best over all scenes; -1: the row is not a peer's. */
+/* Returns the index of the best gain and exponent over all scenes; -1: the row is not a peer's. */
 static int fit_of_all(const row *const *rows, int count, const row *like)
 {
     int best = -1;
@@ -284,7 +284,7 @@ static void figure_csv(FILE *f, double v)
     else fprintf(f, ",%.6g", v);
 }
 
-/* fit: the index of the fit over all scenes; -1: none. */
+/* Writes a row's line. fit: the index of the fit over all scenes; -1: none. */
 static void row_csv(FILE *f, const place *p, const row *r, int fit)
 {
     const int is_lit = !(r->of & OF_AO), peer = (r->of & OF_PEER) != 0;
@@ -301,7 +301,7 @@ static void row_csv(FILE *f, const place *p, const row *r, int fit)
 
 static found found_seeds[MOST_SEEDS];
 
-/* Writes one row after the other, each on all scenes. */
+/* Writes the csv: one setting after the other, each on all scenes. */
 static void write_csv(FILE *csv, const options *o)
 {
     const int count = count_of(o), first = section_fullest(&seeds_chart, count);
@@ -322,7 +322,7 @@ static void write_csv(FILE *csv, const options *o)
 
 /* ---- >>section --------------------------------------------------------------------------------------------------- */
 
-static int scenes;                               /* that were asked for, also those that are missing here */
+static int scenes;                               /* scenes asked for, with those whose package is missing */
 
 static int units(const options *o)
 {

@@ -4,12 +4,12 @@
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
-/* A camera turns for SETTLED frames and ends at the demo's own view. */
+/* The method of the demo of history. Its camera turns for SETTLED frames and ends at the demo's own view. */
 static const char strip_method[] = "hsao-fast", strip_settings[] = "history=1";
 static const double STRIP_DEGREES = 0.2;    /* for each frame */
-enum { STRIP_DRAWN = 4 };                   /* how often, each time with other noise */
+enum { STRIP_DRAWN = 4 };                   /* how often each is drawn, with other noise each time */
 
-/* One frame alone, [0], and the last of SETTLED frames, [1]; each is drawn STRIP_DRAWN times. */
+/* The frame drawn alone, [0], and the last of SETTLED frames, [1]; each is drawn STRIP_DRAWN times. */
 typedef struct strip { kit_image picture[2][STRIP_DRAWN]; double rmse[2], share[2], noise[2]; } strip;
 
 static int strip_draw(strip *t, stage *s, kit_error *err)
@@ -39,7 +39,7 @@ static int strip_draw(strip *t, stage *s, kit_error *err)
     return 0;
 }
 
-/* The mean over the pixels of the root of a pixel's variance over the drawings. */
+/* Returns the noise of a frame: the mean over the pixels of the root of a pixel's variance over the drawings. */
 static double strip_noise(const kit_image picture[STRIP_DRAWN], const kit_image *frame)
 {
     const float *z = kit_image_channel(frame, "Z");
@@ -59,7 +59,7 @@ static double strip_noise(const kit_image picture[STRIP_DRAWN], const kit_image 
     return sqrt(noise / (double)pixels);
 }
 
-/* Fills in the error, as a mean over the drawings, and the noise. */
+/* Fills in the error of the two frames, as a mean over the drawings, and their noise. */
 static int strip_score(strip *t, const stage *s, kit_error *err)
 {
     for (int g = 0; g < 2; ++g) {
@@ -75,7 +75,7 @@ static int strip_score(strip *t, const stage *s, kit_error *err)
     return 0;
 }
 
-/* The middle of a picture, enlarged twice. */
+/* Writes the middle of a picture, enlarged twice. */
 static int enlarged(kit_image *out, const kit_image *picture, kit_error *err)
 {
     const int left = picture->width / 4, top = picture->height / 2;

@@ -1,4 +1,4 @@
-/* against.c - compares a run of make cost with the csv of another run. Declared in against.h. */
+/* against.c - compares the costs of a run of make cost with the csv of another run. Declared in against.h. */
 #include "lab/cost/against.h"
 #include <math.h>
 #include <string.h>
@@ -13,7 +13,7 @@ static int read_then(csv *then, const char *path, kit_error *err)
     return then->rows ? 0 : kit_fail(err, "%s: cannot be read, or has no rows", path);
 }
 
-/* Finds the row of a whole chain in then that belongs to a row of now; -1: there is none, or that row is of a pass. */
+/* Returns the row of then for the whole chain of row of now; -1: there is none, or that row is of a single pass. */
 static int row_of(const csv *then, const csv *now, int row)
 {
     for (int i = 0; i < then->rows && !*csv_text(now, row, "pass"); ++i)
@@ -54,7 +54,7 @@ int against_show(const csv *now, const char *path, kit_error *err)
     return 0;
 }
 
-/* Compares a chain with its recorded row and prints each fault. Returns how many there are. */
+/* Compares a chain's costs with its recorded ones and prints each fault. Returns how many there are. */
 static int check_chain(const csv *now, int row, const csv *then, int was, const char *path)
 {
     const char *family = csv_text(now, row, "family"), *chain = csv_text(now, row, "chain");

@@ -127,7 +127,7 @@ static void add_binding(needs *n, spvc_compiler of, const spvc_reflected_resourc
         (VkDescriptorSetLayoutBinding) { binding, kind, count, stage, NULL };
 }
 
-/* The widest format of a scalar, a vector or a matrix' column; half: 16 bits for a float. */
+/* Returns the widest format of a scalar, a vector or a matrix' column; half: 16 bits for a float. */
 static VkFormat format_of(spvc_type type, int half)
 {
     static const VkFormat formats[3][4] = {
@@ -322,7 +322,7 @@ static int take_parts(const compiler *c, pipeline *p, VkPipeline made, kit_error
         executable *e = &p->part[p->parts++];
         e->stages = about[i].stages;
         if (take_executable(c, e, &which)) return kit_fail(err, "RADV shows no assembly");
-        e->waves = e->waves * c->least_lanes / 64;          /* counted as waves of the smallest size */
+        e->waves = e->waves * c->least_lanes / 64;          /* in waves of 64 lanes, though least_lanes may be 32 */
     }
     return 0;
 }

@@ -1,6 +1,6 @@
 /* count.c - counts instructions by walking through them. Scalar instructions are executed as far as their operands are
-   known, so that a loop with a constant count is walked as often as it runs. A register holds a known number or an
-   unknown one. A mask of lanes is known, unknown, or unknown but not empty: in a block a wave has a lane or more. */
+   known, so that a loop with a constant count is walked as often as it runs. A register is known or unknown. A mask of
+   lanes is known, unknown, or unknown but not empty: in a block a wave has a lane or more. */
 #include "lab/cost/count.h"
 #include <ctype.h>
 #include <stdint.h>
@@ -21,15 +21,14 @@ typedef struct instruction {
     char name[32];
     class class;
     operand operand[MOST_OPERANDS];
-    int operands, target, loop;             /* target: an instruction's index; loop: innermost loop's first
-                                               instruction */
-    int bytes;                              /* bytes that a fetch brings to a lane */
+    int operands, target, loop;             /* target: index of a branch's target; loop: of its inner loop's start */
+    int bytes;                              /* bytes that a fetch brings to each lane */
 } instruction;
 
 typedef struct program {
     instruction *at;
     int count, labels;
-    int *label, *last;                      /* each block's first instruction; each loop's last, by its first */
+    int *label, *last;                      /* by block: its first instruction; by a loop's first: its last */
 } program;
 
 static int starts(const char *text, const char *with) { return !strncmp(text, with, strlen(with)); }
@@ -80,7 +79,7 @@ static class class_of(const char *name)
     return SCALAR;
 }
 
-/* The bytes that a fetch brings to a lane: four for each channel of dmask, or two if d16 packs two into a register. */
+/* Returns the bytes that a fetch brings to a lane: four for each channel of dmask, or two if d16 packs two. */
 static int fetched_bytes(const char *line, size_t length)
 {
     const char *mask = strstr(line, "dmask:"), *half = strstr(line, " d16");
@@ -152,7 +151,7 @@ typedef struct machine {
     known known[REGISTERS + LANES];
     uint32_t number[REGISTERS + LANES];
     value condition;
-    uint64_t *names;                        /* the next number for an unknown value */
+    uint64_t *names;                        /* the number that the next unknown value gets */
 } machine;
 
 static value unknown(machine *m) { return (value) { UNKNOWN, ++*m->names }; }
@@ -180,7 +179,7 @@ typedef enum doing {
     MOST, LEAST_UNSIGNED, MOST_UNSIGNED, MAGNITUDE, SHIFT_ADD, WHOLE, SELECT, COMPARE
 } doing;
 
-/* How an instruction sets the condition code by its result. */
+/* How an instruction sets the scalar condition code by its result. */
 typedef enum tells { KEEPS, CARRY, NOT_ZERO } tells;
 
 static const struct operation { const char *name; doing doing; tells tells; } operations[] = {
@@ -222,7 +221,7 @@ static uint64_t calculate(doing what, const char *name, uint64_t a, uint64_t b)
     }
 }
 
-/* Compares by an instruction such as s_cmp_ge_i32 or v_cmpx_ge_i32_e32. Comparisons of floats are left unknown. */
+/* Compares by an instruction such as s_cmp_ge_i32 or v_cmpx_ge_i32_e32. Comparisons of floats stay unknown. */
 static value compare(const char *name, value a, value b)
 {
     const char *relation = strchr(name + 2, '_') + 1;
@@ -342,14 +341,14 @@ typedef struct walk {
     const program *program;
     walk_report *report;
     way how;
-    int assumed;                            /* turns assumed for loops with an unknown end */
-    int *body, bodies;                      /* for CALM: the number, from 1 on, of the body that each branch skips */
-    int enters;                             /* for CALM: the body that is entered; 0: none is, and bodies get numbers */
-    int *turns;                             /* turns of each loop, by its first instruction */
-    char *endless;                          /* 1 for a loop with an unknown end, by its first instruction */
-    char *met;                              /* 1 for a branch that was reported */
-    long left;                              /* the walk fails after so many more instructions */
-    int again;                              /* a loop turned out to be endless: the walk starts again */
+    int assumed;                            /* turns to assume for a loop with an unknown end */
+    int *body, bodies;                      /* for CALM: by branch, the number (from 1) of the body that it skips */
+    int enters;                             /* for CALM: the body to enter; 0: none, and bodies get numbers */
+    int *turns;                             /* turns of each loop so far, by its first instruction */
+    char *endless;                          /* 1 for a loop whose end is unknown, by its first instruction */
+    char *met;                              /* 1 for a branch with an unknown condition that is counted */
+    long left;                              /* instructions after which the walk fails as endless */
+    int again;                              /* a loop's end is unknown: the walk starts again */
 } walk;
 
 static void count_one(counts *c, const instruction *t)
@@ -371,7 +370,7 @@ void counts_add(counts *to, const counts *c, double times)
     for (size_t i = 0; i < sizeof *c / sizeof(double); ++i) (&to->vector)[i] += times * (&c->vector)[i];
 }
 
-/* Whether a branch's condition holds: 1, 0, or -1 if that is not known. */
+/* Returns 1 if a branch's condition holds, 0 if not, -1 if that is not known. */
 static int condition_of(machine *m, const instruction *t)
 {
     const operand exec = { REGISTER, EXEC, 2, 0 }, vcc = { REGISTER, VCC, 2, 0 };
@@ -385,8 +384,8 @@ static int condition_of(machine *m, const instruction *t)
 
 static int walk_on(walk *w, machine *m, counts *c, int from, int stop);
 
-/* At a branch to an else whose condition is the same for all lanes, and unknown: walks both sides, and keeps the more
-   expensive one (CALM: the cheaper one). Returns where both sides meet; if one leaves the loop, the other is kept. */
+/* Walks both sides of a branch to an else whose condition is unknown but the same for all lanes, and keeps the more
+   expensive side (CALM: the cheaper one). Returns where both sides meet; if one leaves the loop, the other is kept. */
 static int walk_both(walk *w, machine *m, counts *c, int at, int join)
 {
     const instruction *t = &w->program->at[at];
@@ -405,8 +404,8 @@ static int walk_both(walk *w, machine *m, counts *c, int at, int join)
     return join;
 }
 
-/* Whether a branch over a body is taken if its condition is unknown. Only branches that a calm wave reaches have a
-   number. The others, such as those inside a body that is not entered, skip nothing. */
+/* Returns whether a branch over a body is taken if its condition is unknown. Only branches that a calm wave reaches
+   have a number. The others, such as those inside a body that is not entered, skip nothing. */
 static int skips_body(walk *w, int at)
 {
     if (w->how != CALM || w->program->at[at].loop < 0) return 0;
@@ -414,7 +413,7 @@ static int skips_body(walk *w, int at)
     return w->body[at] && w->body[at] != w->enters;
 }
 
-/* Returns the index of the next instruction after a branch. */
+/* Counts a branch, and returns the index of the instruction that is executed after it. */
 static int walk_branch(walk *w, machine *m, counts *c, int at)
 {
     const program *p = w->program;
@@ -426,7 +425,7 @@ static int walk_branch(walk *w, machine *m, counts *c, int at)
     some.known = SOME;
     if (holds >= 0) return holds ? t->target : at + 1;
     const int leaves = t->loop >= 0 && t->target > p->last[t->loop];
-    if (leaves || t->target <= at) {                        /* with an unknown condition a loop goes on */
+    if (leaves || t->target <= at) {                        /* while its condition is unknown, a loop goes on */
         if (on_lanes) put(m, &exec, some);
         return t->target <= at ? t->target : at + 1;
     }
@@ -439,7 +438,7 @@ static int walk_branch(walk *w, machine *m, counts *c, int at)
     return skips ? t->target : at + 1;
 }
 
-/* Walks from an instruction to stop, or to the end of the program. Returns the index at which the walk ended. */
+/* Walks from an instruction to stop, or to the end of the program. Returns the index at which it ended. */
 static int walk_on(walk *w, machine *m, counts *c, int from, int stop)
 {
     const program *p = w->program;
@@ -447,7 +446,7 @@ static int walk_on(walk *w, machine *m, counts *c, int from, int stop)
     while (at != stop && at < p->count && w->left-- > 0 && !w->again) {
         const instruction *t = &p->at[at];
         if (p->last[at] && t->loop == at) {
-            if (previous < at) w->turns[at] = 0;            /* the loop is entered, not turned */
+            if (previous < at) w->turns[at] = 0;            /* the loop is entered from above, not turned */
             if (++w->turns[at] > MOST_TURNS) { w->endless[at] = 1; w->again = 1; break; }
             if (w->endless[at] && w->turns[at] > w->assumed) { previous = at; at = p->last[at] + 1; continue; }
         }
@@ -463,7 +462,7 @@ static int walk_on(walk *w, machine *m, counts *c, int from, int stop)
     return at;
 }
 
-/* Walks from the first instruction to the end. */
+/* Walks from the first instruction to the end, in one of the ways, and counts. */
 static int walk_all(walk *w, counts *c, way how, int enters, const int turns[2])
 {
     const int count = w->program->count;

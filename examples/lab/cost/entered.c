@@ -1,17 +1,17 @@
-/* entered.c - draws passes with a shader edited so that texels tell which bodies they enter. Declared in entered.h. */
+/* entered.c - draws passes with edited shaders, which record the bodies they enter. Declared in entered.h. */
 #include "lab/cost/entered.h"
 #include "lab/against/look.h"
 #include "lab/cost/share.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { SEEDS = 12, MOST_BITS = 24 };        /* MOST_BITS: that a float holds exactly */
+enum { SEEDS = 12, MOST_BITS = 24 };        /* MOST_BITS: whole numbers below 2^24 are exact in a float */
 
-/* ONCE: a single frame; STANDS, TURNS: the last of LOOK_FRAMES frames of a camera that stands or turns. */
+/* A method's frames. ONCE: one alone; STANDS, TURNS: the last of LOOK_FRAMES of a camera that stands or turns. */
 typedef enum moves { ONCE, STANDS, TURNS } moves;
 static const char *const cameras[] = { "", "stands", "turns" };
 
-/* A method to be drawn, and the bodies that are measured one after the other. */
+/* A method to be drawn, and its bodies, which are measured one after the other. */
 typedef struct drawn { const char *method, *settings; moves camera; int body[2], count; } drawn;
 
 static const drawn all[] = {
@@ -34,8 +34,8 @@ enum { DRAWN = (int)(sizeof all / sizeof *all) };
 
 /* ---- the text ---------------------------------------------------------------------------------------------------- */
 
-/* Edits the fragment stage of a pass: it tells, at the body's line and in a main function of its own, whether the body
-   is entered. The caller frees it. */
+/* Edits the fragment shader of a pass so that it records, at the body's line, whether a texel enters the body, and
+   writes that in a main function of its own. The caller frees it. */
 static char *telling(const char *text, const body *b, const kit_pass *p, kit_error *err)
 {
     const char *line = strstr(text, b->line), *rest = strchr(text, '\n') + 1;
@@ -50,7 +50,7 @@ static char *telling(const char *text, const body *b, const kit_pass *p, kit_err
     return to;
 }
 
-/* Compiles such a program, or finds the one compiled before. */
+/* Compiles the program of an edited shader, or finds it among those compiled before. */
 static GLuint program_of(const kit_pass *p, const body *b, const char *fragment, kit_error *err)
 {
     static const GLenum stages[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
@@ -66,7 +66,7 @@ static GLuint program_of(const kit_pass *p, const body *b, const char *fragment,
     return program;
 }
 
-/* The first pass of a run that has the body; NULL: no pass has it, or its program failed. */
+/* Returns the first pass of a run whose shader has the body; NULL: no pass has it, or its program failed. */
 static kit_pass *pass_of(kit_run *run, const body *b, GLuint *program, kit_error *err)
 {
     for (int i = 0; i < run->passes; ++i) {
@@ -82,7 +82,7 @@ static kit_pass *pass_of(kit_run *run, const body *b, GLuint *program, kit_error
 
 /* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
-/* half, steps: settings of the pass. */
+/* What one scene gave for a body, by tile. half, steps: settings of the pass. */
 typedef struct found { double share[TILES], waves[TILES]; int half, steps; } found;
 static found results[DRAWN][2][SEEDS];
 
@@ -101,7 +101,7 @@ static int read(found *f, const kit_pass *p, const body *b, kit_error *err)
     return failed ? kit_fail(err, "the texels cannot be read, or hold more than %d bits", MOST_BITS) : 0;
 }
 
-/* Draws a frame for each body. As an output is overwritten, the next frame's history is useless. */
+/* Draws a frame for each body. As an output of the pass is overwritten, the next frame's history is useless. */
 static int ask(found of[][SEEDS], int seed, kit_run *run, const drawn *d, kit_error *err)
 {
     for (int i = 0; i < d->count; ++i) {

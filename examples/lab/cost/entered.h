@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include "kit/kit.h"
 
-/* Draws the scenes by any GL and writes a csv: a row for each body of a method and each tile. */
+/* Draws the scenes by any GL and writes shares.csv: a row for each body of a method and each tile. */
 int entered_write(FILE *f, kit_error *err);
 
 #endif

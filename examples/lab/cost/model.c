@@ -1,8 +1,8 @@
-/* model.c - a pass takes the longest of four times. Declared in model.h. */
+/* model.c - the time of a pass: the longest of four times. Declared in model.h. */
 #include "lab/cost/model.h"
 #include <math.h>
 
-enum { WAVE = 64, WAIT = 320 };             /* lanes; cycles until a fetch arrives */
+enum { WAVE = 64, WAIT = 320 };             /* lanes of a wave; cycles until a fetch arrives */
 
 const device devices[] = {
     { "RX 6800", "navi21", 60, 2, 32, 2.105, 512, 16, 8, 1 },
@@ -20,7 +20,7 @@ double model(const device *d, const load *l, bound *which)
     const double cycles = 1e6 * d->gigahertz;                               /* in a millisecond */
     const double lanes = d->units * d->simds * d->lanes, simds = d->units * d->simds;
     const double slow = 4 * l->transcendental, issue = (double)WAVE / d->lanes;
-    const double waves = l->pixels / WAVE / simds;                          /* that each SIMD executes in all */
+    const double waves = l->pixels / WAVE / simds;                          /* waves that each SIMD executes in all */
     const double alu = d->apart ? fmax(l->vector, slow) : l->vector + slow - l->transcendental;
     const double narrow = l->fetches - l->wide_fetches;
     const double wave = alu * issue + WAIT * l->fetches;

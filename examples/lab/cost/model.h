@@ -12,9 +12,9 @@
 
    A pass takes as long as the slowest of the four. */
 typedef struct device {
-    const char *name, *family;             /* family: the GPU family of its instructions */
+    const char *name, *family;             /* family: the GPU family whose instructions it executes */
     int units, simds, lanes;               /* compute units; SIMDs of each unit; lanes of each SIMD */
-    double gigahertz, gigabytes;           /* the highest clock; the memory's rate a second */
+    double gigahertz, gigabytes;           /* highest clock in GHz; memory rate in GB a second */
     double fetches, wide_fetches;
     int apart;
 } device;
@@ -22,8 +22,8 @@ typedef struct device {
 extern const device devices[];
 extern const int devices_count;
 
-/* The work of a pass. Instructions and fetches are of a pixel; waves are those that share a SIMD; bytes are of the
-   pass. */
+/* The work of a pass. Instructions and fetches are those of one pixel; bytes those of the whole pass; waves: how many
+   share a SIMD. */
 typedef struct load {
     double pixels, vector, transcendental, fetches, wide_fetches, bytes;
     int waves;
@@ -32,7 +32,7 @@ typedef struct load {
 typedef enum bound { ALU, TEX, HIDE, MEMORY, BOUNDS } bound;
 extern const char *const bound_names[BOUNDS];
 
-/* Returns milliseconds; *which: the part that takes longest. */
+/* Returns the milliseconds that a device takes for a load; *which: the longest of the four times. */
 double model(const device *d, const load *l, bound *which);
 
 #endif

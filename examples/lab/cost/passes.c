@@ -1,4 +1,4 @@
-/* passes.c - makes passes and programs of a chain's steps, and the bytes that each pass moves. Declared in passes.h. */
+/* passes.c - makes passes and programs of a chain's steps, and counts each pass's bytes. Declared in passes.h. */
 #include "lab/cost/passes.h"
 #include "tools/glsl/chains.h"
 #include <stdlib.h>
@@ -9,7 +9,7 @@ const int sizes[SIZES][2] = { { 1280, 720 }, { WIDTH, HEIGHT }, { 2560, 1440 }, 
 
 /* ---- programs ---------------------------------------------------------------------------------------------------- */
 
-/* The index of the program with these shaders and formats. It takes the shaders over. */
+/* Returns the index of the program with these shaders and formats. Takes the shaders over. */
 int work_program(work *w, cost_program *p, kit_error *err)
 {
     p->key = kit_hash(KIT_HASH, p->format, sizeof p->format);
@@ -49,7 +49,7 @@ static int program_of_step(work *w, const ssgi_gl_step *s, kit_error *err)
 
 /* ---- bytes ------------------------------------------------------------------------------------------------------- */
 
-/* Bytes a texel of one of the program's own inputs; 0: a small texture, which stays in the caches. */
+/* Returns the bytes a texel of one of the caller's inputs; 0: a small texture, which stays in the caches. */
 static int bytes_of_yours(const ssgi_gl_input *in, const ssgi_gl_desc *d)
 {
     static const int bytes[SSGI_GL_YOURS] = {
@@ -62,7 +62,7 @@ static int bytes_of_yours(const ssgi_gl_input *in, const ssgi_gl_desc *d)
     return bytes[in->meaning];
 }
 
-/* The layers of a texture that the steps write. */
+/* Returns how many layers of a texture the steps write. */
 static int layers_of(const ssgi_gl_step *steps, int count, int texture)
 {
     int layers = 1;
@@ -92,7 +92,7 @@ static void add_pass(cost_chain *c, int program, const ssgi_gl_step *steps, int 
     }
 }
 
-/* The bytes of all textures that the steps write. */
+/* Returns the bytes of all textures that the steps write. */
 static double target_bytes(const ssgi_gl_step *steps, int count)
 {
     double bytes = 0;
@@ -133,7 +133,7 @@ int work_add_to(work *w, cost_chain *c, const ssgi_gl_chain *chain, kit_error *e
 {
     static ssgi_gl_step steps[MOST_STEPS];
     ssgi_gl_chain described = *chain;
-    for (int i = SIZES; i-- > 0;) {                         /* WIDTH x HEIGHT comes last, as it is used below */
+    for (int i = SIZES; i-- > 0;) {                         /* WIDTH x HEIGHT comes last: later code uses its steps */
         const int *size = sizes[(i + 2) % SIZES];
         described.width = size[0];
         described.height = size[1];
@@ -210,7 +210,7 @@ static void make_spirv(void *context, int i)
     p->seconds = compile_seconds() - start;
 }
 
-/* The first compilation is slow, as glslang then parses GLSL's built-in functions. That time is no program's. */
+/* Compiles a shader untimed: the first compilation is slow, as glslang then parses GLSL's built-in functions. */
 static void warm_up(const work *w)
 {
     for (int i = 0; i < 2 && w->programs; ++i) {
@@ -221,7 +221,7 @@ static void warm_up(const work *w)
     }
 }
 
-/* Fills in the weighed ways. A body without a recorded share counts whole. */
+/* Fills in a program's counts for the weighed ways. A body without a recorded share counts whole. */
 static void weigh_ways(const work *w, const cost_program *p, compiled *to, const counted *c)
 {
     int of[BODIES];

@@ -1,4 +1,4 @@
-/* peers.c - makes chains of the effects that peers.mjs writes. Declared in peers.h. */
+/* peers.c - makes chains of other libraries' effects, which peers.mjs writes. Declared in peers.h. */
 #include "lab/cost/peers.h"
 #include <string.h>
 #include "lab/measure/csv.h"
@@ -6,7 +6,7 @@
 
 #define OUT "build/peers/cost"
 
-/* A format with so many bytes a texel. */
+/* Returns a format of so many bytes a texel. */
 static VkFormat format_of(double bytes)
 {
     return bytes < 2 ? VK_FORMAT_R8_UNORM : bytes > 8 ? VK_FORMAT_R32G32B32A32_SFLOAT

@@ -1,4 +1,4 @@
-/* peers.h - effects of other libraries as chains. */
+/* peers.h - adds effects of other libraries as chains of make cost. */
 #ifndef COST_PEERS_H
 #define COST_PEERS_H
 

@@ -1,9 +1,9 @@
-/* plan.c - chains of the plan's choices, and their milliseconds over those of the unit. Declared in plan.h. */
+/* plan.c - makes chains of the plan's choices, and writes their costs in the plan's unit. Declared in plan.h. */
 #include "lab/cost/plan.h"
 #include "kit/kit_gl.h"
 #include "lab/cost/show.h"
 
-/* Chain 0 is the unit. Chain number i is of choice[i]. */
+/* For each chain, the number of its choice. Chain 0 is the unit, and has none. */
 static int choice[MOST_CHAINS];
 
 int plan_add(work *w, kit_error *err)

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include "lab/cost/passes.h"
 
-/* Adds chains: the unit, and every choice that needs neither surfels nor fields. */
+/* Adds chains: that of the unit, and that of every choice that needs neither surfels nor fields. */
 int  plan_add(work *w, kit_error *err);
-/* Writes a line for each choice, with its weighed cost on the first device, as build/fit reads it. */
+/* Writes a line for each choice, as build/fit reads it: its weighed cost on the first device, over that of the unit. */
 void plan_write(FILE *f, const work *w);
 
 #endif

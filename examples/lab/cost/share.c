@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A pixel comes to these lines alternately for the two sides of a slice. */
+/* GLSL for the gather, where a pixel comes alternately to the two sides of a slice: records a condition as a bit. */
 #define GATHERED(condition) "told[times & 1] |= uint(" condition ") << uint(times >> 1); ++times; shown = true;"
 
 const body bodies[BODIES] = {

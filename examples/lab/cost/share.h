@@ -14,31 +14,32 @@ typedef struct body { const char *name, *line, *tells; int times; } body;
 enum { COVER, COVER_SOLID, SECOND, SENT, UNSETTLED, CHANGED, BODIES };
 extern const body bodies[BODIES];
 
-/* The shader of a stage of a pass, which the caller frees; NULL: there is no such stage, or no memory. */
+/* Returns the shader of a stage of a pass, which the caller frees; NULL: there is no such stage, or no memory. */
 char *text_of(const ssgi_gl_desc *d, int stage);
 
-/* The bodies that a shader has, in its order. Returns how many. */
+/* Finds the bodies that a shader has, in its order. Returns how many. */
 int bodies_of(int of[BODIES], const char *text);
 
-/* The texels of a wave. */
+/* The rectangle of texels that a wave covers. */
 typedef struct tile { const char *name; int width, height; } tile;
 enum { SQUARE, FLAT, SMALL, TILES };
 extern const tile tiles[TILES];
 
-/* One texel's bits for two sides, 1 if it entered. Without a surface the second is -1 less its bits. */
+/* A texel's bits for two sides of a slice, 1 if it entered. Without a surface the second is -1 less its bits. */
 typedef struct told { float entered[2]; } told;
 
-/* How often a wave enters, of the times that it comes to the line: the mean over the waves of which at least one texel
-   shows a surface. waves: the share of such waves. */
+/* Returns how often a wave enters a body, of the times that it comes to the line: the mean over the waves of which at
+   least one texel shows a surface. waves: the share of such waves among all. */
 double share_of(const told *texel, int width, int height, const tile *t, int times, double *waves);
 
-/* The recorded share (shares.csv) of the gather most like a pass: of its resolution first, then by the number of its
-   samples; rows of a camera that stands do not count. NAN: there is none. */
+/* Returns the share that shares.csv records for the gather most like a pass: by its resolution first, then by the
+   number of its samples; rows of a camera that stands do not count. NAN: there is none. */
 double share_recorded(const csv *shares, int which, const ssgi_gl_desc *d, const tile *t);
 
-/* The mean work of a wave of a pass. share: of each body in its shader. If the compiler left as many bodies as the
-   shader has, or twice as many for the two sides, each counts by its own share. If the shader has one body, all that
-   may be skipped counts by its share. If it has none, all counts. -1: bodies cannot be told apart, and all counts. */
+/* Weighs counts to the mean work of a wave. share: of each body in the shader. If the compiler left as many bodies as
+   the shader has, or twice as many for the two sides, each counts by its own share. If the shader has one body, all
+   that may be skipped counts by its share. If it has none, all counts. -1: bodies cannot be told apart, and all
+   counts. */
 int weigh(counts *c, const counted *of, const double *share, int count);
 
 #endif

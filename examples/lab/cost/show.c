@@ -1,11 +1,11 @@
-/* show.c - tables of the costs of passes and chains. Declared in show.h. */
+/* show.c - prints tables of the costs of passes and chains. Declared in show.h. */
 #include "lab/cost/show.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
 
-/* A chain's sums for a family, with counts for a pixel. Splats are left out, as their number depends on the scene. */
+/* A chain's sums for a family, counts for each pixel. Without splats: their number depends on the scene. */
 typedef struct sum {
     counts way[WAYS];
     double bytes_in, bytes_out;             /* for a pixel */
@@ -61,7 +61,7 @@ double chain_ms(const work *w, const cost_chain *c, int family, way how, const d
     return ms;
 }
 
-/* The family whose instructions a device executes; -1: nothing was compiled for it. */
+/* Returns the family whose instructions a device executes; -1: nothing was compiled for it. */
 static int family_of(const work *w, const device *d)
 {
     for (int i = 0; i < w->families; ++i) if (!strcmp(w->family[i], d->family)) return i;
@@ -70,7 +70,7 @@ static int family_of(const work *w, const device *d)
 
 /* ---- facts that are not in the csv ------------------------------------------------------------------------------- */
 
-/* Prints the loops whose end no instruction tells, once for each pass. */
+/* Prints the loops whose end no instruction tells, with the assumed turns, once for each pass. */
 static void show_assumptions(const work *w)
 {
     for (int i = 0; i < w->programs; ++i) {
@@ -106,7 +106,7 @@ void show_notes(const work *w, int passes)
 
 /* ---- csv --------------------------------------------------------------------------------------------------------- */
 
-/* How many programs a chain has, each once; the bytes of their shaders; the milliseconds that a family compiles
+/* Returns how many programs a chain has, each counted once; *text: bytes of their shaders; *ms: time to compile
    them. */
 static int programs_of(const work *w, const cost_chain *c, int family, size_t *text, double *ms)
 {
@@ -125,7 +125,7 @@ static int programs_of(const work *w, const cost_chain *c, int family, size_t *t
     return count;
 }
 
-/* Whether chain a is cheaper than b by instructions and by the model: every family, every device, every way. */
+/* Returns whether chain a is cheaper than b by instructions and model: on every family and device, in every way. */
 static int is_cheaper(const work *w, const cost_chain *a, const cost_chain *b)
 {
     for (int family = 0; family < w->families; ++family) {
@@ -140,7 +140,7 @@ static int is_cheaper(const work *w, const cost_chain *a, const cost_chain *b)
     return 1;
 }
 
-/* 0: ambient occlusion, 1: light; -1: not ranked, as its cost depends on the number of objects or surfels. */
+/* Returns 0 for ambient occlusion, 1 for light; -1: not ranked, as its cost depends on objects' or surfels' number. */
 static int kind_of(const cost_chain *c)
 {
     int light = 0;
@@ -153,8 +153,8 @@ static int kind_of(const cost_chain *c)
 
 static double busy_instructions(const work *w, const cost_chain *c) { return sum_of(w, c, 0).way[BUSY].vector; }
 
-/* The name of a chain that makes this one look cheap: this one is cheaper (see is_cheaper) than it and than all of its
-   kind with more instructions. Of such chains it has the fewest instructions. "": there is none. */
+/* Returns the name of a chain that this one is cheaper than (is_cheaper), as it is than all of its kind with more
+   instructions. Of such chains it has the fewest instructions. "": there is none. */
 static const char *than_of(const work *w, const cost_chain *c)
 {
     const cost_chain *than = NULL;

@@ -1,4 +1,4 @@
-/* show.h - sums over a chain's passes, and tables of them. */
+/* show.h - sums the costs over a chain's passes, and prints tables of them. */
 #ifndef COST_SHOW_H
 #define COST_SHOW_H
 
@@ -6,15 +6,15 @@
 #include "lab/cost/passes.h"
 #include <stdio.h>
 
-/* MEAN_SURFELS: of a scene at 1920x1080; MEAN_SPLATS: texels of occlusion splats for each gathered texel. They are of
-   seeds 0 to 20, which have 8 to 142 (build/render random:N --size 1920x1080 --method dss-best --set levels=4 --time 1
-   prints both). Other effects are taken to have as many. */
+/* MEAN_SURFELS: how many a scene has at 1920x1080; MEAN_SPLATS: texels of occlusion splats for each gathered one. Means
+   of seeds 0 to 20, where splats are 8 to 142 (build/render random:N --size 1920x1080 --method dss-best --set levels=4
+   --time 1 prints both). Other effects are taken to have as many. */
 #define MEAN_SPLATS 55.0
 #define MEAN_SURFELS 33e3
-enum { QUAD = 6 };                          /* vertices of a surfel on one level */
+enum { QUAD = 6 };                          /* vertices that draw a surfel on one level of the pyramid */
 
-/* Milliseconds on a device: of a pass that splats so many texels, of any pass, of a chain. Each splatted texel is read
-   and written, as if there were no cache. */
+/* Return milliseconds on a device: of a pass that splats so many texels, of any pass, of a chain. Each splatted texel
+   is read and written, as if there were no cache. */
 double splat_ms(const work *w, const cost_pass *p, int family, way how, const device *d, double texels, double surfels,
                 bound *which);
 double pass_ms(const work *w, const cost_pass *p, int family, way how, const device *d, bound *which);

@@ -1,4 +1,4 @@
-/* ahead.c - measures scenes in one process a core. Declared in ahead.h. */
+/* ahead.c - measures scenes in one process a core, each with its own GL context. Declared in ahead.h. */
 #include "lab/measure/ahead.h"
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 enum { WORKERS = 8 };
 
-/* Measures the numbers that it reads from a pipe until the pipe is empty, and writes each to the other pipe. */
+/* Measures the scenes whose numbers it reads from a pipe until that is empty; writes each to the other pipe. */
 static void work(const ahead *a, int numbers_in, int done_out)
 {
     kit_error err;
@@ -39,7 +39,7 @@ int ahead_run(const ahead *a, kit_error *err)
     char tick;
     if (workers < 2) return 0;
     if (pipe(queue) || pipe(done)) return kit_fail(err, "%s: no pipe to other processes", a->what);
-    for (int k = a->first; k < a->first + a->count; ++k)            /* fits into a pipe's buffer */
+    for (int k = a->first; k < a->first + a->count; ++k)            /* all the numbers fit into the pipe's buffer */
         if (write(queue[1], &k, sizeof k) != sizeof k) return kit_fail(err, "%s: a pipe is full", a->what);
     close(queue[1]);
     fflush(NULL);

@@ -9,9 +9,9 @@ const bands bands_unknown = { { UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN }, UNKNOWN };
 
 /* ---- >>blur ------------------------------------------------------------------------------------------------------ */
 
-enum { REACH = 3, MOST_TAPS = 64 };        /* sigmas at which a Gaussian ends; taps on one side of the widest one */
+enum { REACH = 3, MOST_TAPS = 64 };        /* reach of a Gaussian in sigmas; taps on one side of the widest one */
 
-/* Blurs along rows and transposes; two such calls are a whole blur. Outside of the picture is 0. */
+/* Blurs a picture along its rows and transposes it; two such calls are a whole blur. Outside of the picture is 0. */
 static void blur_turned(float *to, const float *from, int width, int height, float sigma)
 {
     const int taps = (int)ceilf(REACH * sigma);
@@ -30,7 +30,7 @@ static void blur_turned(float *to, const float *from, int width, int height, flo
         }
 }
 
-/* between: room for one picture. */
+/* Blurs a picture by a Gaussian. between: room for one picture. */
 static void blur(float *to, const float *from, float *between, int width, int height, float sigma)
 {
     blur_turned(between, from, width, height, sigma);
@@ -39,7 +39,7 @@ static void blur(float *to, const float *from, float *between, int width, int he
 
 /* ---- >>shaded ---------------------------------------------------------------------------------------------------- */
 
-/* The position that a pixel shows, in view space; returns 0 if it shows none. */
+/* Writes the position that a pixel shows, in view space. Returns 0 if it shows none. */
 static int seen_at(double p[3], const stage *s, int x, int y)
 {
     const float *projection = s->gbuffer.projection;
@@ -112,7 +112,7 @@ void shaded_free(shaded *m)
 
 /* ---- >>bands ----------------------------------------------------------------------------------------------------- */
 
-/* The mean of (a - b) (c - d) over the pixels of m. */
+/* Returns the mean of (a - b) (c - d) over the pixels that m counts. */
 static double product_of(const float *a, const float *b, const float *c, const float *d, const shaded *m)
 {
     const size_t all = (size_t)m->width * (size_t)m->height;
@@ -122,7 +122,7 @@ static double product_of(const float *a, const float *b, const float *c, const f
     return sum / (double)m->pixels;
 }
 
-/* Fills BANDS + 1 levels: a - b on the pixels of m, then that blurred by each sigma. room: for BANDS + 2 pictures. */
+/* Fills BANDS + 1 levels: a - b on the counted pixels, then that blurred by each sigma. room: BANDS + 2 pictures. */
 static void levels_of(float *level[BANDS + 1], float *room, const shaded *m, const float *a, const float *b)
 {
     const size_t all = (size_t)m->width * (size_t)m->height;

@@ -5,7 +5,7 @@
 
 const entry clock_reference = { "ssao, no blur", "ssao", "directions=16,blur=0", 1 };
 
-/* A row is timed in LEAST_ROUNDS, and no more if it takes SLOW times the reference's time, or if its ratios agree. */
+/* Each row is timed in LEAST_ROUNDS, and no more if it takes SLOW times the reference's time, or its ratios agree. */
 enum { LEAST_ROUNDS = 2, SLOW = 5 };
 #define AGREED 0.05
 
@@ -15,7 +15,7 @@ double clock_draw(kit_run *run)
     return kit_run_ms(run);
 }
 
-/* For deep screen space: the numbers of surfels and splats, and each stage's share of the time of the last draw. */
+/* Counts surfels and splats of deep screen space, and writes each stage's share of the last draw's time. */
 static void count_surfels(row *r, const kit_run *run)
 {
     const double all = kit_run_ms(run);
@@ -28,7 +28,7 @@ static void count_surfels(row *r, const kit_run *run)
     }
 }
 
-/* Whether all ratios lie within AGREED of the smallest one. */
+/* Returns whether all ratios of a row's time to the reference's lie within AGREED of the smallest one. */
 static int agreed(const double *ratio, int count)
 {
     double least = ratio[0], most = ratio[0];
@@ -50,7 +50,7 @@ int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, in
                      : kit_fail(err, "out of memory");
     if (failed) { free(ratio); free(drawn); return -1; }
     const double began = kit_seconds();
-    do kit_run_draw(&fixed, 1);                             /* until a GPU runs at its full clock */
+    do kit_run_draw(&fixed, 1);                             /* draws until a GPU runs at its full clock */
     while (!kit_gl_is_software() && kit_seconds() < began + 0.3);
     snprintf(what, sizeof what, "%s: times", s->name);
     kit_progress(what, 0);

@@ -9,7 +9,7 @@
 
 const char *csv_folder = "report";
 
-/* Copies the next cell from *in to *out without quotes; returns the character that ended it. */
+/* Copies the next cell of a csv from *in to *out without quotes. Returns the character that ended the cell. */
 static char cell(char **in, char **out)
 {
     int quoted = 0;
@@ -88,7 +88,7 @@ static int is_empty(const csv *c, int column)
     return row > c->rows;
 }
 
-/* The columns of some keys. A key without a column is left out, and if aligned, a column without any cell, too. */
+/* Finds the columns of keys. A key without a column is left out; if aligned, a column without any cell, too. */
 static int columns_of(int column[MOST_COLUMNS], const csv *c, const char *keys, int aligned)
 {
     int count = 0;
@@ -101,7 +101,7 @@ static int columns_of(int column[MOST_COLUMNS], const csv *c, const char *keys, 
     return count;
 }
 
-/* last: the row's last cell. */
+/* Writes one cell of a row. last: it is the row's last one. */
 static void put_cell(FILE *f, const csv *c, int row, int column, int aligned, int last)
 {
     const char *is = c->cell[row * c->columns + column];

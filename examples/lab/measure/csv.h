@@ -4,19 +4,19 @@
 
 #include <stdio.h>
 
-typedef struct csv { char *text, **cell; int rows, columns; } csv;      /* the first cells are the heads */
+typedef struct csv { char *text, **cell; int rows, columns; } csv;      /* the first row of cells names the columns */
 
-extern const char *csv_folder;             /* the folder of the files */
+extern const char *csv_folder;             /* the folder of the files that csv_read opens */
 
-/* Reads a file of csv_folder, or of an absolute path, and keeps it until the program ends. No rows: there is no such
-   file. A file that is no table ends the program. */
+/* Reads a file of csv_folder, or of an absolute path, and keeps it until the program ends. Returns no rows if there is
+   no such file. A file that is no table ends the program. */
 csv         csv_read(const char *name);
-/* Makes a table of a text from malloc, which it takes over. name: for the message if it is no table. */
+/* Makes a table of a text from malloc, which it takes over. name: for the error message if the text is no table. */
 csv         csv_of(char *text, const char *name);
-const char *csv_text(const csv *c, int row, const char *key);           /* "" = no such cell */
-double      csv_number(const csv *c, int row, const char *key);         /* NAN = no such number */
+const char *csv_text(const csv *c, int row, const char *key);           /* "": there is no such cell */
+double      csv_number(const csv *c, int row, const char *key);         /* NAN: there is no such number */
 
-/* Writes a text as a cell. */
+/* Writes a text as a cell of a csv, in quotes. */
 void        csv_quote(FILE *f, const char *text);
 /* Writes the columns of keys, which are separated by commas, of the rows whose cell in the column empty has no text
    (NULL: of all rows). aligned: padded for reading; else as csv. */

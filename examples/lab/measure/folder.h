@@ -4,9 +4,9 @@
 
 #include "kit/kit.h"
 
-#define FOLDER_CACHE "build/cache"         /* truths, and results of an interrupted chart */
+#define FOLDER_CACHE "build/cache"         /* keeps truths, and results of an interrupted chart */
 
-/* Makes a folder and those above it, unless they are there. */
+/* Makes a folder and the folders above it, unless they are there. */
 int folder_make(const char *path, kit_error *err);
 
 #endif

@@ -1,7 +1,7 @@
 /* halved.c - draws at half the width and height, and enlarges to full size. Declared in halved.h. */
 #include "lab/measure/halved.h"
 
-/* Of count texels, the second nearest to pixel i of a picture twice as wide. The nearest is texel i / 2. */
+/* Returns the second nearest of count texels to pixel i of a picture twice as wide. The nearest is texel i / 2. */
 static int beside(int i, int count)
 {
     const int to = i / 2 + (i % 2 ? 1 : -1);
@@ -22,7 +22,7 @@ static int doubled(kit_image *out, const kit_image *small, kit_error *err)
     return 0;
 }
 
-/* Draws, reads and scores one entry. */
+/* Draws an entry at half the width and height or at full size, reads the picture and scores it. */
 static int halved_entry(row *r, kit_run *run, kit_image *picture, stage *s, stage *half, const sized *e, kit_error *err)
 {
     kit_image small;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Opens and draws a run, which is timed later. The caller frees the picture. */
+/* Opens a run of a method, draws it and reads its picture, which the caller frees. The run is timed later. */
 static int measure_entry(row *r, kit_run *run, kit_image *picture, stage *s, const entry *e, int phases, kit_error *err)
 {
     *r = row_blank(0, s->name, e->label, e->method, e->settings);

@@ -10,7 +10,7 @@
    split error from noise (0: no split). rounds: of timing; 0: none. pictures: NULL, or an empty one for each entry. */
 int measure_entries(row *rows, stage *s, const entry *entries, int count, int rounds, int phases, kit_image *pictures,
                     kit_error *err);
-/* Times entries on a stage that is loaded and looked at, without pictures and truth. */
+/* Times entries on a stage after stage_look, without pictures and truth. */
 int measure_times(row *rows, stage *s, const entry *entries, int count, int rounds, kit_error *err);
 
 #endif

@@ -26,7 +26,8 @@ typedef struct peer_pass {
 } peer_pass;
 typedef struct peer { char label[64], settings[128]; peer_pass pass[PEER_PASSES]; int passes, result; } peer;
 typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
-/* folder: of the script's files, for this process alone. whole: the whole frame, also the pixels without a truth. */
+/* What the effects of one view share. folder: of the script's files. whole: the frame, also the pixels without a
+   truth. */
 typedef struct peer_set {
     peer         peer[MOST_PEERS];
     peer_texture texture[PEER_TEXTURES];
@@ -41,7 +42,7 @@ const char *peers_missing(void) { return missing; }
 
 /* ---- >>reading: the view for the script, and the script's results ------------------------------------------------ */
 
-/* Runs the script. 0 = there are no peers, and missing says why. */
+/* Runs peers.mjs for a stage's view. Returns 0 if there are no peers, and missing says why. */
 static int peers_write(const peer_set *set, const stage *s, int quick, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
@@ -80,7 +81,7 @@ static void peer_uniform(GLuint program, const char *type, const char *name, int
     else glUniform1i(at, (int)values[0]);
 }
 
-/* Makes a pass's programs from N.vert and N.frag. */
+/* Makes the program of a pass from the script's files N.vert and N.frag. */
 static int peer_programs(peer_pass *pass, const peer_set *set, int number, kit_error *err)
 {
     char path[96], *text[2] = { NULL, NULL };
@@ -95,7 +96,7 @@ static int peer_programs(peer_pass *pass, const peer_set *set, int number, kit_e
     return pass->program ? 0 : -1;
 }
 
-/* A line of the script's manifest. */
+/* One line of peers.mjs' manifest.csv. */
 typedef struct told { const csv *all; int row; } told;
 
 static const char *text_of(const told *t, const char *key) { return csv_text(t->all, t->row, key); }
@@ -123,7 +124,7 @@ static int peer_texture_read(peer_texture *t, const peer_set *set, const told *i
     return t->name ? 0 : kit_fail(err, "peers' manifest.csv, line %d: no such texture", is->row + 2);
 }
 
-/* Makes a texture of view depth times a number, with a given value for pixels without a surface. */
+/* Makes a texture of view depth times a number, with a given value at pixels without a surface. */
 static int peer_depth_read(peer_texture *t, const kit_image *frame, const told *is, kit_error *err)
 {
     const int width = frame->width, height = frame->height;
@@ -208,7 +209,7 @@ static int peer_line_read(peer_set *set, const told *is, kit_error *err)
     return 0;
 }
 
-/* Reads the manifest. Textures 0 to 3 of the set are the caller's. */
+/* Reads peers.mjs' manifest.csv. Textures 0 to 3 of the set are the caller's. */
 static int peers_read(peer_set *set, kit_error *err)
 {
     const char *was = csv_folder;
@@ -236,7 +237,7 @@ static void peer_pass_draw(const peer_pass *pass, GLuint program)
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/* Draws all passes of a peer; returns milliseconds. */
+/* Draws all passes of peer i. Returns milliseconds. */
 static double peer_draw(void *set, int i)
 {
     const peer *p = &((const peer_set *)set)->peer[i];
@@ -268,10 +269,10 @@ static int peer_picture(kit_image *out, const peer_set *set, const peer *p, cons
 
 /* ---- >>fit: the best fit of two numbers -------------------------------------------------------------------------- */
 
-/* a histogram of visibility from -1 to 1; in each bin the sum of the truth */
+/* a histogram of visibility v from -1 to 1; each bin also has the sum of the truth at its pixels */
 typedef struct histogram { double count[PEER_BINS], truth[PEER_BINS], squares, pixels; } histogram;
 
-/* The RMSE of a v^b, or of 1 - a (1 - v)^b. */
+/* Returns the RMSE to the truth of a v^b, or, if open, of 1 - a (1 - v)^b. */
 static double fit_rmse(const histogram *h, int open, const double log_ab[2])
 {
     const double a = exp(log_ab[0]), b = exp(log_ab[1]);
@@ -318,9 +319,9 @@ static double fit_best(const histogram *h)
     return best;
 }
 
-/* Fills in the relative error after a picture's own best fit, and after each of a table of fits, from which the best
-   one over all scenes is taken later. Gains are from .61 to 1.65, exponents from .37 to 2.7, in even logarithmic
-   steps. */
+/* Fills in the relative error of a peer's row after its picture's own best fit, and after each of a table of fits, from
+   which the best one over all scenes is taken later. Gains are from .61 to 1.65, exponents from .37 to 2.7, in even
+   logarithmic steps. */
 static void fit_row(row *r, const histogram *h)
 {
     const double share = r->share / r->score.rmse;
@@ -348,7 +349,7 @@ static void peers_free(peer_set *set)
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-/* The inputs: depth, normals as three.js writes them, a white picture, and normals without an encoding. */
+/* Makes the textures that peers read: depth, normals as three.js writes them, a white picture, raw normals. */
 static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
 {
     static const char *const names[3] = { "N.X", "N.Y", "N.Z" };
@@ -386,7 +387,7 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
     snprintf(what, sizeof what, "%s: peers", s->name);
     kit_progress(what, 0);
     failed = kit_gbuffer_read(&set.whole, &s->gbuffer, err) || peers_inputs(&set, s, err) || peers_read(&set, err);
-    snprintf(command, sizeof command, "rm -r %s", set.folder);       /* the files have been read */
+    snprintf(command, sizeof command, "rm -r %s", set.folder);       /* the script's files have been read */
     if (system(command)) fprintf(stderr, "report: note: %s: cannot be removed\n", set.folder);
     count = set.peers < most ? set.peers : most;
     for (int i = 0; i < count && !failed; ++i) {
@@ -394,11 +395,11 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures
         histogram h;
         row *r = &rows[i];
         *r = row_blank(0, s->name, set.peer[i].label, set.peer[i].label, set.peer[i].settings);
-        r->bytes = 0;                          /* the bytes that peers move are not counted */
+        r->bytes = 0;                          /* how many bytes a peer moves is not counted */
         peer_draw(&set, i);
         failed = peer_picture(&picture, &set, &set.peer[i], s, err);
         if (failed) break;
-        histogram_of(&h, &picture, s);         /* before its values are clamped */
+        histogram_of(&h, &picture, s);         /* before the picture's values are clamped */
         for (size_t k = 0; k < (size_t)picture.width * (size_t)picture.height; ++k)
             picture.data[k] = fminf(fmaxf(picture.data[k], 0), 1);
         failed = score_picture(r, s, &picture, err);

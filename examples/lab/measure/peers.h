@@ -12,7 +12,7 @@ enum { MOST_PEERS = 32, PEERS_QUICK = 10 };
    figure[FIT + i]: after each of a table of fits. rounds 0: not timed. pictures: NULL, or room for one a row. Returns
    how many rows; 0 = none, peers_missing() says why; -1 = failed. The rows' names last until the next call. */
 int peers_measure(row *rows, stage *s, int rounds, int most, kit_image *pictures, kit_error *err);
-/* Why there were no peers, in one line; "" = there were, or none were asked for. */
+/* Returns why there were no peers, in one line; "": there were, or none were asked for. */
 const char *peers_missing(void);
 
 #endif

@@ -55,7 +55,7 @@ mkdirSync(out, { recursive: true });
 
 Logger.LogLevels = Logger.ErrorLogLevel;
 
-/* A random sequence that is the same each time: some kernels and noise are made by Math.random. */
+/* Makes Math.random the same sequence each time, as some effects make kernels and noise by it. */
 let state;
 Math.random = () => (state = (state * 48271) % 2147483647) / 2147483647;
 
@@ -69,11 +69,11 @@ const flat = value => value.toArray            ? value.toArray()
                                                : [ Number(value) ];
 
 const numbers = new Map(), bytes = new Map([ [ R8, 1 ], [ RGBA16F, 8 ], [ RGBA32F, 16 ] ]);
-/* The width, height and bytes of each texture. */
+/* The textures 0 to 3 of the caller: their width, height and bytes. */
 const sized = [ 4, 8, 8, 8 ].map(texel => ({ width, height, bytes : texel * width * height }));
 let programs = 0;
 
-/* A texture's number. A new texture is described by of(texture) and written. */
+/* Returns a texture's number. A new texture is written, with the description that of(texture) returns. */
 function number(texture, of) {
     if (!numbers.has(texture)) {
         const { width : w, height : h, format, linear, repeat, data } = of(texture), n = sized.length;
@@ -88,14 +88,14 @@ function number(texture, of) {
     return numbers.get(texture);
 }
 
-/* Adds a texture that replaces an effect's own depth texture. */
+/* Adds a texture of depth that replaces an effect's own depth texture. Returns its number. */
 function depth(texture, scale, empty, linear) {
     numbers.set(texture, sized.length);
     sized.push({ width, height, bytes : 4 * width * height });
     line({ kind : 'depth', scale, empty, linear : +linear });
 }
 
-/* value(), texture(): the value of a uniform by its name, and the texture of a sampler. */
+/* Writes a pass. value(), texture(): return the value of a uniform by its name, and the texture of a sampler. */
 function pass({ vertex, fragment, shown, cleared, targets, value, texture }) {
     const n = programs++, uniforms = [], named = new Set();
     for (const [, type, length, name, also] of (vertex + fragment).matchAll(
@@ -123,7 +123,7 @@ const constant = (text, { type, name, count, values }) =>
     count === 1 && ([ 'int', 'uint', 'bool' ].includes(type) || name.includes('Count'))
         ? text.replace(`uniform ${type} ${name};`, `const ${type} ${name} = ${type}(${values.split(' ')});`) : text;
 
-/* Replaces vertex attributes by one triangle that covers the picture. */
+/* Rewrites a vertex shader without attributes: it draws one triangle that covers the picture. */
 const triangle = (text, position, also = '') => `#define main peer_main
 ${text.replace(/\battribute\s+(\w+\s+\w+\s*;)/g, '$1')}
 #undef main
@@ -193,7 +193,7 @@ class Renderer {
     setRenderTarget(target) { this.#target = target; this.#cleared = null; }
     clear() { this.#cleared = this.#colour.clone(); }
 
-    /* Scenes draw the G-buffer, which the caller has. All other objects are passes over the picture. */
+    /* Scenes would draw the G-buffer, which the caller has already. All other objects are passes over the picture. */
     render(object) {
         const target = this.#target, m = object.material;
         if (object.isScene) {
@@ -201,7 +201,7 @@ class Renderer {
             numbers.set(target.texture, object.overrideMaterial ? 1 : 2);
             return;
         }
-        if (target === this.picture) return;               /* blends the result with the picture */
+        if (target === this.picture) return;               /* this pass only blends the result with the picture */
         const targets = target.textures.map(three_texture);
         pass({ vertex: vertex(m), fragment: fragment(m), shown: target === this.shown,
                cleared: this.#cleared?.toArray(), targets, value: name => m.uniforms[name]?.value,
@@ -211,7 +211,7 @@ class Renderer {
     result() { return this.#result; }
 }
 
-/* Draws an effect; returns the texture with the result. */
+/* Draws an effect of three.js. Returns the texture with its result. */
 function three_draw(effect) {
     const write = new THREE.WebGLRenderTarget(width, height, { type : THREE.HalfFloatType }), read = write.clone(),
           renderer = new Renderer(read, effect.configuration?.halfRes ? null : write);
@@ -223,7 +223,7 @@ function three_draw(effect) {
 
 const tsl_inputs = { depth: 0, picture: 2, normal: 3 };
 
-/* The denoiser's distances of depth are in the scene's units. */
+/* Draws a node effect of three.js. filter: of its denoiser, whose distances of depth are in the scene's units. */
 async function tsl(effect, set, filter) {
     const view = { width, height, near, far, projection : v.slice(5, 21) };
     const told = of => pass({...of, targets : of.targets.map(three_texture), texture : three_texture });
@@ -233,7 +233,7 @@ async function tsl(effect, set, filter) {
 
 /* ---- >>Babylon.js: an engine without a GPU, whose draws are written down ----------------------------------------- */
 
-/* The shader takes one of 16 directions even if there are fewer. Past the end browsers read the last, GL any value. */
+/* The shader takes one of 16 directions even if there are fewer. Past the end browsers read the last, GL anything. */
 const past = /\(i\+int\(random\.y\*16\.0\)\) % 16/, kept = 'min($&, SAMPLES - 1)';
 
 class Engine extends NullEngine {
@@ -262,7 +262,7 @@ class Engine extends NullEngine {
                              repeat : wrapU === 1, data : _bufferView }));
     }
 
-    /* All draws but SSAO2's own copy the picture or multiply it. */
+    /* Draws other than SSAO2's own only copy the picture or multiply it. */
     drawElementsType() {
         const effect = this._currentEffect, set = this.#set.get(effect);
         if (effect.name.fragment !== 'ssao2') return;
@@ -274,7 +274,7 @@ class Engine extends NullEngine {
     result() { return this.#result; }
 }
 
-/* The camera and the geometry buffer that it needs: right-handed, so that depths are below 0. */
+/* Draws SSAO2 of Babylon.js. Its camera and geometry buffer are right-handed, so that depths are below 0. */
 async function babylon_draw(ratio, set) {
     const engine = new Engine(), scene = new Scene(engine), camera = new FreeCamera('', Vector3.Zero(), scene),
           buffer = Object.create(GeometryBufferRenderer.prototype), textures = [ {}, {} ];
@@ -317,7 +317,7 @@ class Frame extends CameraFrame {
     enable() {}
 }
 
-/* unit: how many of its units are one of the scene's. Depth comes from its prepass. */
+/* Draws the SSAO of PlayCanvas. unit: how many of its units are one of the scene's. Depth comes from its prepass. */
 function playcanvas_draw(set, unit = 1) {
     const canvas = { width, height }, device = new Device(canvas), app = new AppBase(canvas), frame = new Frame(),
           options = new AppOptions(), texture = {};
@@ -338,7 +338,7 @@ function playcanvas_draw(set, unit = 1) {
 
 /* ---- >>peers: at their defaults, and with the chart's radius ----------------------------------------------------- */
 
-/* the radius in pixels at the median depth: SAO's radius is one of the screen */
+/* SAO's radius lies on the screen: this is the radius in pixels, at the median depth */
 const pixels = radius / middle * v[10] * height / 2;
 
 function three(Pass, pass = new Pass(new THREE.Scene(), camera, width, height)) {
@@ -367,7 +367,7 @@ const n8ao = (mode, set) => {
     return three_draw(pass);
 };
 
-/* SAO weighs by 1 / (1 + (slope t)^2), and divides a sample's cosine by the slope, less the bias */
+/* SAO weighs a sample at distance t by 1 / (1 + (slope t)^2), and divides its cosine by the slope, less the bias */
 const slope = 1 / radius;
 
 /* Matched: the radius, and the settings that came nearest to the truth in the chart's scenes, in coarse steps; for

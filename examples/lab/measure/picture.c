@@ -1,4 +1,4 @@
-/* picture.c - draws a method's picture, and looks up the value at a place of the world. Declared in picture.h. */
+/* picture.c - draws a method's picture, and looks up its value at a point of the scene. Declared in picture.h. */
 #include "lab/measure/picture.h"
 #include <math.h>
 

@@ -7,7 +7,7 @@
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
 #define WITH_COUNT(table) table, COUNT(table)      /* for two members of a struct, or two arguments */
 
-/* The groups of columns that show a row. */
+/* The groups of columns that a row has, as bits of its member of. */
 enum {
     OF_AO = 1,
     OF_LIT = 2,
@@ -29,16 +29,16 @@ enum {
     OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION
 };
 
-/* With several phases of the noise: the error in all, the model's part of it, and the noise; the error of hue in
-   degrees, everywhere and in shade; the bounce's noise. */
+/* Indices of split: with several phases of the noise: the error in all, the model's part of it, and the noise; the
+   error of hue in degrees, everywhere and in shade; the bounce's noise. */
 enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT_BOUNCE, SPLITS };
 
-/* Noise in bands of frequency (lab/measure/bands.h). A peer's relative error after each of FITS fits
+/* How many noise bands there are (lab/measure/bands.h), and how many fits of a peer's gain and exponent
    (lab/measure/peers.h). */
 enum { NOISE_BANDS = 4, FIT_GAINS = 9, FIT_EXPONENTS = 9, FITS = 2 * FIT_GAINS * FIT_EXPONENTS };
 
-/* Figures of fields: of the bake; a picture's error; the occluders' reach as a share of the picture, each counted; the
-   combined occlusion of two occluders. Of deep screen space: surfels and splats; each stage's share of the time; the
+/* Indices of figure. Fields: the bake; a picture's error; the occluders' reach as a share of the picture, each counted;
+   the combined occlusion of two occluders. Deep screen space: surfels and splats; each stage's share of the time; the
    camera's turn; the deviation at a place while the camera moves. Errors of AO and of irradiance on edges, at the
    border and inside. The mean of a picture where it shows surfaces. */
 enum {
@@ -81,16 +81,16 @@ enum {
     FIGURES = FIT + FITS
 };
 
-/* A figure that does not apply is NAN. scene: or "mean", of several scenes. */
+/* The results of one setting on one scene. A figure that does not apply is NAN. scene: or "mean", of several scenes. */
 typedef struct row {
-    const char *scene, *label, *method, *settings;   /* rows of one label follow each other and make a curve */
+    const char *scene, *label, *method, *settings;   /* rows of one label follow each other and make one curve */
     double bytes, relative, ms, share;
-    kit_score score;                                 /* of ambient visibility, or of radiance */
-    /* the groups of columns; without OF_AO these are known, and share is error[0]: */
+    kit_score score;                                 /* the errors of ambient visibility, or of radiance if lit */
+    /* the groups of columns; without OF_AO the next two are known, and share is error[0]: */
     int of;
-    /* RMSE and bias of radiance, irradiance and bounce, over the mean of the truth */
+    /* RMSE and bias of radiance, irradiance and bounce, each over the mean of its truth */
     double error[3], bias[3];
-    double split[SPLITS];                            /* OF_SPLIT: of irradiance; OF_PHASES: of visibility */
+    double split[SPLITS];                            /* of irradiance if of has OF_SPLIT, of visibility if OF_PHASES */
     double figure[FIGURES];                          /* OF_FIELDS, OF_DEEPS */
 } row;
 
@@ -99,7 +99,7 @@ typedef struct entry { const char *label, *method, *settings; int quick; } entry
 
 enum { MOST_ENTRIES = 48, MOST_ROWS = MOST_ENTRIES + 2 };
 
-/* A row with names and without results. */
+/* Returns a row with names and without results: all figures are NAN. */
 row row_blank(int of, const char *scene, const char *label, const char *method, const char *settings);
 
 #endif

@@ -6,7 +6,7 @@
 
 /* ---- >>picture --------------------------------------------------------------------------------------------------- */
 
-/* Scores edges, border and interior apart. */
+/* Scores edges, border and interior of a picture apart, into the row's figures. */
 static int score_places(row *r, const stage *s, const kit_image *picture, const char *const *channels, kit_error *err)
 {
     kit_score_place place[KIT_PLACES];
@@ -41,7 +41,7 @@ int score_picture(row *r, const stage *s, const kit_image *picture, kit_error *e
         failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err)
                  || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
         const double share = s->lit ? -unit.bias : unit.rmse, known = share > 0 ? 1 / share : (double)NAN;
-        if (s->stride > 1) here.ssim = (double)NAN;      /* its pixels have no neighbours */
+        if (s->stride > 1) here.ssim = (double)NAN;      /* SSIM needs neighbours */
         if (g % 3 == 0) r->score = here;
         if (g % 3 == 0) r->share = here.rmse * known;
         if (s->lit) r->error[g] = here.rmse * known;
@@ -67,7 +67,7 @@ enum { NOISE_RAYS = 4 };
 int score_noise(row *r, const stage *s, const char *label, kit_error *err)
 {
     kit_image probe;
-    const int stride = (s->stride == SEED_STRIDE ? 3 : 5) * s->stride;      /* an odd factor: the middles agree */
+    const int stride = (s->stride == SEED_STRIDE ? 3 : 5) * s->stride;      /* odd: blocks keep their middles */
     if (stage_trace(&probe, s, NOISE_RAYS * s->rays, stride, err) || score_named(r, s, label, &probe, err))
         return -1;
     kit_image_free(&probe);
@@ -80,12 +80,12 @@ int score_noise(row *r, const stage *s, const char *label, kit_error *err)
 
 /* ---- >>phases of the noise --------------------------------------------------------------------------------------- */
 
-/* Sums over the drawn pictures, for each value of a picture: of the value, and of its square. */
+/* Sums over the pictures of several phases of noise, for each value of a picture: of the value, and of its square. */
 typedef struct sums {
     const char *const *names;              /* names of the channels */
     size_t  channels, pixels;
-    double *sum, *squares;                 /* squares: the second half of sum */
-    int     drawn, differs;                /* differs: some picture is unlike the first */
+    double *sum, *squares;                 /* squares: points to the second half of sum */
+    int     drawn, differs;                /* drawn: how many phases; differs: one is unlike the first */
 } sums;
 
 static int sums_new(sums *t, const stage *s, kit_error *err)
@@ -115,7 +115,7 @@ static void sums_add(sums *t, const kit_image *picture)
     ++t->drawn;
 }
 
-/* Draws the next phase. With history its frames have numbers that no other phase has. */
+/* Draws the next phase of the noise. With history its frames have numbers that no other phase has. */
 static int sums_draw(sums *t, const stage *s, kit_run *run, int phases, kit_error *err)
 {
     kit_image now;
@@ -131,14 +131,14 @@ static int sums_draw(sums *t, const stage *s, kit_run *run, int phases, kit_erro
    everywhere and in shade, with its weights; of the bounce only truth and variances. */
 typedef struct errors { double level, off, noise, values, hue[2], weight[2], bounce, bounce_noise; } errors;
 
-/* A value's variance over the drawn pictures. */
+/* Returns a value's variance over the drawn phases. */
 static double variance(const sums *t, size_t k)
 {
     const double mean = t->sum[k] / t->drawn;
     return t->differs ? fmax(0, t->squares[k] / t->drawn - mean * mean) * t->drawn / (t->drawn - 1) : 0;
 }
 
-/* open: the unoccluded light; NULL for visibility. */
+/* Adds pixel i to the sums of errors. open: the unoccluded light; NULL for visibility. */
 static void errors_add(errors *e, const sums *t, size_t i, const float *const *truth, const float *const *open)
 {
     static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };

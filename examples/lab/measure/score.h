@@ -4,12 +4,12 @@
 
 #include "lab/measure/stage.h"
 
-/* Scores a picture over the pixels that the frame shows and the picture knows, and the unit over the same pixels. */
+/* Scores a picture, and the stage's unit, over the pixels that the frame shows and the picture knows. */
 int score_picture(row *r, const stage *s, const kit_image *picture, kit_error *err);
 
-/* Makes a row of a picture of light, without a time. */
+/* Makes a row by scoring a picture of light, without a time. */
 int score_named(row *r, const stage *s, const char *label, const kit_image *picture, kit_error *err);
-/* Makes a row of the truth's own noise in light: against a truth of several times its rays. */
+/* Makes the row of the truth's own noise in light, by a truth of several times its rays. */
 int score_noise(row *r, const stage *s, const char *label, kit_error *err);
 
 /* Splits the error of a row's irradiance or visibility into that of the mean over phases of the noise and the deviation

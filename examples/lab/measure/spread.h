@@ -3,13 +3,13 @@
 #define LAB_SPREAD_H
 
 enum { MOST_SPREAD = 1000 };                 /* values */
-/* count: of known values. half: of the mean's 95 % interval, 1.96 standard errors; NAN for a single value. worst: the
-   index of the largest value; -1 = there is none. above: how many values exceed 1. */
+/* Statistics of one figure. count: of known values. half: of the mean's 95 % interval, 1.96 standard errors; NAN for a
+   single value. worst: the index of the largest value; -1 = there is none. above: how many values exceed 1. */
 typedef struct spread { int count, above, worst; double mean, half, median, most; } spread;
 
-/* Of count values, at most MOST_SPREAD; NAN is not known. */
+/* Returns the statistics of count values, at most MOST_SPREAD; NAN: a value is not known. */
 spread spread_of(const double *value, int count);
-/* Of the values of one group. worst is an index into all values. */
+/* Returns those of the values whose group is one. worst is an index into all values. */
 spread spread_in(const double *value, const int *group, int one, int count);
 
 #endif

@@ -6,13 +6,13 @@
 #include <sys/stat.h>
 #include "lab/measure/folder.h"
 
-#define PACKAGE "glmark2-data"             /* the package that has BUNNY */
+#define PACKAGE "glmark2-data"             /* the package of Debian that has BUNNY */
 
 int stage_thrift = 1;
 
 /* ---- >>views ----------------------------------------------------------------------------------------------------- */
 
-/* Settings were tuned without attic and maple. */
+/* The views of the chart of ambient occlusion. Settings were tuned without attic and maple. */
 const view stage_views[] = {
     { "bunny",     BUNNY,       1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f, NULL },
     { "room",      "room",      0, { 0 }, { 0 }, 0, 0, NULL },
@@ -44,7 +44,7 @@ const char *stage_packages(const char *path)
     return NULL;
 }
 
-/* Four coloured boxes around the bunny, just above the floor: bounds, then albedo. */
+/* Four coloured boxes around the bunny, just above the floor: six bounds, then the albedo. */
 static const float boxes[4][9] = {
     {  1.07f, -0.989f, -0.10f,  1.25f, -0.20f,  0.75f,  0.85f, 0.08f, 0.05f },
     {  0.25f, -0.989f,  0.82f,  0.62f, -0.72f,  1.14f,  0.85f, 0.60f, 0.04f },
@@ -77,7 +77,7 @@ int stage_trace(kit_image *out, const stage *s, int rays, int stride, kit_error 
     return kit_truth_ao(out, &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, rays, stride, err);
 }
 
-/* The path of a kept truth. The file's name has a hash of all that the truth depends on. paired: of stage_pair. */
+/* Makes the path of a kept truth. Its name has a hash of all that the truth depends on. paired: it is of stage_pair. */
 static void truth_path(char path[256], const stage *s, int paired)
 {
     const kit_camera *c = &s->gbuffer.camera;
@@ -111,8 +111,8 @@ static void truth_path(char path[256], const stage *s, int paired)
              c->width, c->height, (double)s->radius, s->rays, (unsigned long long)h);
 }
 
-/* Whether a kept truth is still valid: traces a few hundred of its pixels again, fewer if it has a stride, so that a
-   changed tracer does not reuse it. -1 = failed. */
+/* Returns whether a kept truth is still valid: traces a few hundred of its pixels again, fewer if it has a stride, so
+   that a changed tracer does not reuse it. -1 = failed. */
 static int truth_holds(const stage *s, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
@@ -162,7 +162,7 @@ int stage_pair(kit_image *out, const stage *s, kit_error *err)
 int stage_visibility(kit_image *out, const stage *s, kit_error *err)
 {
     stage dark = *s;
-    char *end = strrchr(dark.name, '-');            /* all probes of a pair share one truth of visibility */
+    char *end = strrchr(dark.name, '-');            /* all probes of a pair's scene share one truth of visibility */
     if (end) *end = 0;
     dark.lit = NULL;
     dark.rays = RAYS;
@@ -207,7 +207,7 @@ static int give(stage *s, const char *label, const char *method, kit_image *pict
     return 0;
 }
 
-/* Gives a picture without AO. Its radius is so small that nothing blocks the environment, nor local suns. */
+/* Adds a given picture without AO. Its radius is so small that nothing blocks the environment, nor local suns. */
 static int give_open(stage *s, kit_error *err)
 {
     kit_image picture;
@@ -216,7 +216,7 @@ static int give_open(stage *s, kit_error *err)
                                                                                : give(s, "no AO", "none", &picture);
 }
 
-/* Gives the floor: the truth that knows only one depth layer, the frame as it is drawn. */
+/* Adds a given picture, the floor: the truth that knows only one depth layer, the frame as it is drawn. */
 static int give_floor(stage *s, kit_error *err)
 {
     const int stride = s->stride > 1 ? 3 * s->stride : FLOOR_STRIDE;
@@ -256,7 +256,7 @@ int stage_light(stage *s, kit_error *err)
 
 /* ---- >>stage ----------------------------------------------------------------------------------------------------- */
 
-/* Lights the scene. Local suns are put into the environment of the truth. */
+/* Sets the lights of the scene. Local suns are put into the environment of the truth. */
 static int light_up(stage *s, kit_error *err)
 {
     const lit *l = s->lit;

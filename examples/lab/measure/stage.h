@@ -7,12 +7,12 @@
 #include "lab/measure/rows.h"
 
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
-#define BED     "build/models/iron-bed.obj"    /* make chart gets them by examples/kit/models.sh */
+#define BED     "build/models/iron-bed.obj"    /* make chart gets it by examples/kit/models.sh */
 #define MAPLE   "build/models/maple.obj"
 #define HOUSE   "build/models/fzk-house.obj"
 
-/* RAYS: of the truth of ambient visibility. The floor is traced at every FLOOR_STRIDE-th pixel both ways, or at every
-   third pixel of a truth that has a stride. */
+/* RAYS: of the truth of ambient visibility, at each pixel. The floor is traced at every FLOOR_STRIDE-th pixel both
+   ways, or at every third pixel of a truth that has a stride. */
 enum { RAYS = 256, FLOOR_STRIDE = 4 };
 /* The truth of light is traced at every LIT_STRIDE-th pixel both ways, the middle one of each block. ON_STRIDE: whether
    the middles of another stride's blocks are traced, too, so that noise can be probed there. */
@@ -48,16 +48,15 @@ typedef struct view {
     const lit *lit;
 } view;
 #define NO_CROPS { { 0 } }
-extern const view stage_views[];               /* the views of the chart of ambient occlusion; the first is the
-                                                  demo's */
+extern const view stage_views[];               /* views of the chart of ambient occlusion; the demo has the first */
 extern const int stage_views_count;
-/* Model number i of those that packages bring, for seed i; models that are neighbours in the packages' list have
-   distant numbers. 0: the package is missing. */
+/* Makes the path of model number i of those that packages bring, for seed i; models that are neighbours in the
+   packages' list have distant numbers. Returns 0 if the package is missing. */
 int stage_model(char path[128], int i);
-/* The packages from which make chart takes a mesh; NULL: it is from none. */
+/* Returns the packages from which make chart takes a mesh; NULL: it is from none. */
 const char *stage_packages(const char *path);
 
-typedef struct given { const char *label, *method; kit_image picture; } given;   /* a row without a method */
+typedef struct given { const char *label, *method; kit_image picture; } given;   /* a picture scored as a row */
 
 /* Effects with a truth of their own. hard: an occluder or sender within the radius counts whole. GLOSS: the exponent of
    the lobe. SCATTER: material and its unit; rays are thousands of samples. */
@@ -70,12 +69,12 @@ typedef struct stage {
     kit_gbuffer  gbuffer;
     const lit   *lit;
     otherwise    otherwise;
-    int          rays, between;                /* of the truth; between 1: occlusion is between objects */
-    int          stride;                       /* of the truth, 0 = 1; pixels between count as not shown */
-    kit_lighting lighting, traced;             /* lighting for methods, and for the truth */
+    int          rays, between;                /* rays of the truth; between 1: occlusion is between objects */
+    int          stride;                       /* of the truth (0 = 1); the pixels between count as not shown */
+    kit_lighting lighting, traced;             /* lighting: for methods; traced: for the truth */
     /* if lit: suns and point lights with their shadows, without the environment, */
     kit_run      lights;
-    /* and the light that ambient visibility must not dim: theirs, unless suns are local */
+    /* direct: the light that ambient visibility must not dim: that of lights, unless suns are local */
     kit_image    direct;
     kit_image    places;                       /* edges, border, interior */
     /* unit: the picture whose error is 1: without light no AO, 1 everywhere; if lit, 0 everywhere */
@@ -85,9 +84,9 @@ typedef struct stage {
     float        radius;
 } stage;
 
-/* stage_load: the scene and its light; the scene may be changed until stage_look. stage_look: the G-buffer.
-   stage_compare: the truth and the given pictures; stage_light: the given ones alone, for a truth that is not needed
-   whole. stage_show: look and compare; stage_open: all three. */
+/* stage_load: loads the scene and its light; the scene may be changed until stage_look, which draws the G-buffer.
+   stage_compare: traces the truth and adds the given pictures; stage_light: the given ones alone, for a truth that is
+   not needed whole. stage_show: look and compare; stage_open: all three. */
 int stage_load(stage *s, const view *v, kit_error *err);
 int stage_look(stage *s, const view *v, int width, int height, kit_error *err);
 int stage_light(stage *s, kit_error *err);
@@ -98,17 +97,17 @@ void stage_close(stage *s);
 
 /* Traces the truth of gbuffer.camera alone, or reads it from build/cache. */
 int stage_truth(stage *s, kit_error *err);
-/* Two truths of ambient visibility at every pixel, PAIR_RAYS each, with independent noise, in channels Y and again. */
+/* Two truths of ambient visibility at every pixel, of PAIR_RAYS each, with independent noise: channels Y and again. */
 enum { PAIR_RAYS = 64 };
 int stage_pair(kit_image *out, const stage *s, kit_error *err);
 /* Traces the truth by so many rays, at every stride-th pixel. */
 int stage_trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err);
-/* The true ambient visibility (channel Y) of a lit stage. */
+/* Returns the true ambient visibility (channel Y) of a lit stage. */
 int stage_visibility(kit_image *out, const stage *s, kit_error *err);
-/* Turns visibility into light: it dims the environment's light, not that of lights. */
+/* Turns a picture of visibility into light: it dims the environment's light, not that of lights. */
 int stage_dim(kit_image *visibility, const stage *s, kit_error *err);
-/* A run of a method on the stage; its picture after picture_settled; a method's picture, drawn once. On a lit stage
-   pictures are of light. */
+/* stage_run opens a run of a method; stage_settled reads its picture after picture_settled; stage_drawn draws a
+   method's picture once. On a lit stage pictures are of light. */
 int stage_run(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err);
 int stage_settled(kit_image *out, const stage *s, kit_run *run, unsigned first, int timed, kit_error *err);
 int stage_drawn(kit_image *out, stage *s, const char *method, const char *set, float radius, kit_error *err);

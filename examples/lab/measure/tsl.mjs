@@ -1,7 +1,6 @@
-/* tsl.mjs - three.js' node effects (GTAONode, DenoiseNode, SSGINode) as GLSL, for peers.mjs.
-
-   Their renderer draws with a backend without a GPU, which builds the shaders of the WebGL 2 backend and notes each
-   draw. In the resulting shaders plain uniforms replace the blocks. */
+/* tsl.mjs - makes GLSL of three.js' node effects (GTAONode, DenoiseNode, SSGINode) for peers.mjs. Their renderer draws
+   with a backend without a GPU, which builds the shaders of the WebGL 2 backend and notes each draw. In the resulting
+   shaders plain uniforms replace the blocks. */
 globalThis.self ??= globalThis;
 globalThis.requestAnimationFrame ??= () => 0;
 globalThis.cancelAnimationFrame ??= () => {};
@@ -20,7 +19,7 @@ const bare = text => text.replace(/^(#version|precision) .*$/gm, '')
     .replace(/(?:layout\( std140 \) )?uniform \w+ \{([^}]*)\};/g,
              (all, members) => members.replace(/\w+ \w+(?:\[\d+\])?;/g, 'uniform $&'));
 
-/* The quad's texture coordinates are made from gl_VertexID, as its vertices are. */
+/* Rewrites a vertex shader: the quad's texture coordinates are made from gl_VertexID, as its vertices are. */
 const vertexOf = text => `${bare(text).replace(/layout\( location = 0 \) in vec2 uv;/, 'vec2 uv;')
     .replace('void main()', 'void peer_main()')}
 void main() {
@@ -29,7 +28,7 @@ void main() {
 }
 `;
 
-/* Outputs with fewer than four components are written as vec4. */
+/* Rewrites a fragment shader: outputs with fewer than four components are written as vec4. */
 function fragmentOf(text) {
     const swizzle = { float: 'x', vec2: 'xy', vec3: 'xyz', vec4: 'xyzw' };
     return bare(text).replace(/layout\( location = (\d) \) out (\w+) (\w+);/g, (all, n, type, name) =>
@@ -57,7 +56,7 @@ class Notes extends THREE.Backend {
               { textures, clearColor, clearColorValue: colour } = object.context;
         for (const is of object.getBindings().flatMap(group => group.bindings)) {
             if (is.isUniformsGroup) for (const of of is.uniforms) values.set(of.name, of.getValue());
-            else if (is.isUniformBuffer)                   /* a block with one member */
+            else if (is.isUniformBuffer)                   /* a uniform block with one member */
                 values.set((vertexShader + fragmentShader).match(`${is.name} \\{\\s*\\w+ (\\w+)`)[1], is.buffer);
             else values.set(is.name, is.texture);
         }

@@ -31,8 +31,8 @@ const table = (heads, rows) =>
         .join('\n')
         .replaceAll('|  |', '| |')
         .replaceAll('|  |', '| |');
-/* A table of rows. Each column is its head, the key of a figure or a function of a row (none: the head is the key), the
-   number of digits, and whether a plus sign is written. */
+/* Writes rows as a table of Markdown. Each column is its head, the key of a figure or a function of a row (none: the
+   head is the key), the number of digits, and whether a plus sign is written. */
 const listed = (rows, ...columns) =>
     table(
         columns.map(([head]) => head),
@@ -42,7 +42,7 @@ const listed = (rows, ...columns) =>
             )
         )
     );
-/* A row's name in the tables: its label, and its method and settings unless the label names them. */
+/* Returns a row's name in the tables: its label, and its method and settings unless the label names them. */
 function title(r) {
     const told = r.label === r.method || given(r);
     return `${r.label}${told ? '' : `, \`${r.method}\``}${
@@ -145,7 +145,7 @@ ${leads(rows)}`
 }`;
 }
 
-/* Kinds of scenes in which a peer has a smaller error than a row of ours with at least its cost. */
+/* Returns the kinds of scenes in which a peer has a smaller error than a row of ours with at least its cost. */
 function leads(rows) {
     const of = grouped(
         rows.filter(r => r.what === 'visibility' && r.set !== 'models'),
@@ -165,7 +165,7 @@ more than the interval: ${lines.join('; ')}.`
         : 'In no kind does one of them, fitted a picture, err less than a row of ours that costs as much or more.';
 }
 
-/* The first table of plain rows under a heading. */
+/* Returns the first table of plain rows that stands under a heading of a record. */
 const under = (record, heading) =>
     tables(record).find(t => t.heading === heading && t.kind === 'rows')?.rows ?? [];
 
@@ -176,13 +176,13 @@ meets the error, and at most 1.2 times the error asked for.
 ${listed(rows, ['', 'what'], ['good', r => `${r.good} of ${r.pairs}`])}`;
 }
 
-/* A row for each cause, a column for each method. */
+/* Writes the table of stability: a row for each cause, a column for each method. */
 function worst(causes) {
     const methods = [...new Set(causes.flatMap(Object.keys))].filter(key => key !== 'cause');
     const digits = v => (v > 1000 ? 0 : v > 0.03 ? 3 : 4);
     return listed(causes, ['cause'], ...methods.map(m => [m, c => cell(c[m], digits(c[m]))]));
 }
-/* A row of moves for each method: the mean of each figure, and its worst in brackets. */
+/* Writes a row of a moving camera for each method: the mean of each figure, and its worst in brackets. */
 function moved(record, heading, key) {
     const rows = under(record, heading),
         known = (list, f) => list.map(r => r[f]).filter(x => f !== 'by TAA' || x > 0);
@@ -211,7 +211,7 @@ ${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}${m
     .join('')}`;
 }
 
-/* A paper's sheet: its printed figures beside those drawn here, then its claims, their rules and the outcomes. */
+/* Writes a paper's sheet: its printed figures beside those drawn here, then claims, rules and outcomes. */
 function sheet(t) {
     const kinds = { printed: 'the paper', measured: 'here', time: 'here, a time', modelled: 'here, modelled' },
         of = (row, head) => t.rows.find(c => c.row === row && head === `${kinds[c.kind]}: ${c.head}`)?.text;
@@ -241,7 +241,7 @@ ${table(['figure', ...heads.map(h => h[0])], rows)}
 ${sheets.map(sheet).join('\n\n')}`;
 }
 
-/* "weighed (busy, calm)", or one number if all are equal. */
+/* Returns "weighed (busy, calm)" for a row's costs on a device, or one number if all are equal. */
 function ways(r, device, digits) {
     const key = way => `${device}${device ? ' ' : ''}${way}`;
     const [weighed, busy, calm] = ['weighed', 'busy', 'calm'].map(way => cell(r[key(way)], digits));
@@ -303,7 +303,7 @@ the csv of full runs are in [figures](figures).
 
 /* ---- >>writing --------------------------------------------------------------------------------------------------- */
 
-/* Writes a file whole, or not at all. */
+/* Writes a text to a file whole, or not at all. */
 function write(path, text) {
     writeFileSync(`${path}.part`, text);
     renameSync(`${path}.part`, path);
@@ -319,7 +319,7 @@ function page(kind, old) {
     };
     return head + parts.map(text).join('');
 }
-/* Draws README's charts from the newest csv of full runs. */
+/* Draws README's charts anew, from the csv of the newest full runs. */
 async function redraw(into) {
     const path = name => `${docs}/figures/${name}.csv`,
         of = (table, name) => ({ table, csv: readFileSync(path(name), 'utf8') });
@@ -328,7 +328,7 @@ async function redraw(into) {
     for (const name of ['cost', 'cost-peers']) ssgi_record({ name, entries: [of('cost', name)] });
     await draw(into);
 }
-/* README's charts by a GPU's modelled time and by this machine's. Without Plot they stay as they are. */
+/* Draws README's charts by a GPU's modelled time and by this machine's. Without Plot they stay as they are. */
 async function draw(into) {
     const here = name => resolve('build/page/node_modules', name);
     const rows = found(records('chart'), 'ambient'), all = rows.length ? report.ambient(rows, 'mean') : [];
@@ -373,7 +373,7 @@ async function draw(into) {
     );
     keep(`${into}/bars.svg`, halves);
 }
-/* Puts pictures beside each other on white, as the page that shows them may be dark. */
+/* Writes SVG pictures beside each other into one file, on white, as the page that shows them may be dark. */
 function keep(path, all) {
     const sizes = side => all.map(svg => +svg.getAttribute(side)),
         startOf = i => sizes('width').slice(0, i).reduce((sum, w) => sum + w, 0);
@@ -387,7 +387,7 @@ function keep(path, all) {
     write(path, `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${ground}${placed.join('')}</svg>\n`);
     console.log(`figures: ${path}`);
 }
-/* Presets, and the effect with the smallest error of each other library, by increasing error. */
+/* Returns a chart's bars: presets, and each other library's effect with the smallest error, by increasing error. */
 function bars(sums) {
     const timed = sums.filter(r => Number.isFinite(r._ms) && !given(r));
     const own = timed.filter(r => !peer(r) && !r.settings && r.method !== 'hsao-march');

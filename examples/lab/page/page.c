@@ -1,4 +1,4 @@
-/* page.c - files that reach the disk whole, and the records that the page shows. Declared in page.h. */
+/* page.c - writes files that reach the disk whole, and the records that the page shows. Declared in page.h. */
 #include "lab/page/page.h"
 #include <stdarg.h>
 #include <stdlib.h>
@@ -32,7 +32,7 @@ void page_into(page *p, FILE *f)
     free(p->text);
 }
 
-/* The first line of a command's output, without its end; "" if there is none. */
+/* Copies the first line of a command's output, without its end; "" if there is none. */
 static void line_of(char *out, int size, const char *command)
 {
     FILE *f = popen(command, "r");
@@ -70,8 +70,8 @@ int page_begin(page *p, const char *name, const char *kind, const char *command,
     return 0;
 }
 
-/* Copies the page's files beside the records, and README's pictures, which the demo opens with. Charts need the last
-   two, which make page-deps takes from npm. */
+/* Copies the page's files beside the records, and README's pictures, which the demo opens with. The last two files are
+   for charts; make page-deps takes them from npm. */
 static int copy_page(const char *folder, kit_error *err)
 {
     static const char *const from[] = { "examples/lab/page/index.html", "examples/lab/page/report.js",

@@ -9,7 +9,7 @@
 typedef struct page { FILE *file; char *text; size_t size; } page;
 int page_open(page *p, kit_error *err);
 int page_close(page *p, const char *folder, const char *name, kit_error *err);
-void page_into(page *p, FILE *f);     /* copies the page's content into another file */
+void page_into(page *p, FILE *f);     /* copies what was written to the page so far into f */
 
 /* ---- >>records --------------------------------------------------------------------------------------------------- */
 
@@ -18,17 +18,17 @@ void page_into(page *p, FILE *f);     /* copies the page's content into another 
 int page_begin(page *p, const char *name, const char *kind, const char *command, const char *driver, kit_error *err);
 int page_end(page *p, const char *folder, const char *name, kit_error *err);
 
-/* These add an entry to a record, one line each. Texts are plain: the page escapes them. */
-void page_heading(FILE *f, int level, const char *format, ...);         /* 2: a section, 3: a part of it */
+/* These functions add an entry to a record, one line each. Texts are plain: the page escapes them. */
+void page_heading(FILE *f, int level, const char *format, ...);         /* level 2: of a section, 3: of a part of it */
 void page_paragraph(FILE *f, const char *format, ...);
-/* A picture, slug.png in the record's folder, and below it, if difference is 1, its difference to the truth. */
+/* Adds a picture, slug.png in the record's folder, and below it, if difference is 1, its difference to the truth. */
 void page_figure(FILE *f, const char *slug, const char *label, const char *note, int width, int height, int difference);
-void page_key(FILE *f, double range);           /* the colours of differences, full at +-range */
+void page_key(FILE *f, double range);           /* adds a ramp of the colours of differences, -range to +range */
 /* Adds the table in a csv, and closes the csv. kind: the view of report.js that shows it; "rows": as it is. */
 void page_table(FILE *f, const char *kind, page *csv);
-/* Does the same, and writes the csv to folder/name. */
+/* Does as page_table does, and also writes the csv to folder/name. */
 int page_csv(FILE *f, const char *kind, page *csv, const char *folder, const char *name, kit_error *err);
-/* The next field of a csv's line, without its quotes. Ends it with a 0 and moves *at behind it. */
+/* Returns the next field of a csv's line, without its quotes. Ends it with a 0 and moves *at behind it. */
 char *page_field(char **at);
 
 #endif

@@ -72,7 +72,8 @@ int pictures_crops(FILE *f, const char *out, const pictured *p, int count, int k
     return 0;
 }
 
-/* Means over blocks of pixels, without unknown ones: at most most pixels wide, from blocks of at least least pixels. */
+/* Shrinks a picture to at most most pixels in width: means over blocks of at least least pixels, without unknown
+   ones. */
 static int shrunk(kit_image *out, const kit_image *picture, const char *names, int most, int least, kit_error *err)
 {
     const int fits = (picture->width + most - 1) / most, block = fits > least ? fits : least;

@@ -9,14 +9,14 @@
 int pictures_save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug,
                   const char *ending, kit_error *err);
 void pictures_slug(char slug[64], const char *label);
-/* The part of a picture in crop (NULL: all), enlarged so many times: exposed R, G, B, and their luminance Y. */
+/* Cuts a picture's crop (NULL: all), enlarged so many times: exposed R, G, B, and their luminance Y. */
 int pictures_exposed(kit_image *out, const kit_image *picture, float exposure, const int *crop, int times,
                      kit_error *err);
 /* Writes a picture's difference to the truth in channel Y as colours: out/slug-difference.png. */
 int pictures_difference(const kit_image *picture, const kit_image *truth, float range, const char *out,
                         const char *slug, kit_error *err);
 
-/* A picture, its name and its label on the page. */
+/* A picture in a row of pictures, with its name and its label on the page. */
 typedef struct pictured { char slug[128]; const char *label; const kit_image *picture; } pictured;
 /* Shows a row of pictures: the k-th crop of each, exposed, enlarged so many times, as R, G, B. */
 int pictures_crops(FILE *f, const char *out, const pictured *p, int count, int k, const int *crop, float exposure,
@@ -25,8 +25,8 @@ int pictures_crops(FILE *f, const char *out, const pictured *p, int count, int k
 /* Shows a stage's picture, shrunk to at most 320 pixels in width, and no finer than its truth. */
 int pictures_thumb(FILE *f, const char *out, const char *slug, const char *label, const char *note, const stage *s,
                    const kit_image *picture, kit_error *err);
-/* Shows small pictures: the truth, the best row that takes no longer than the reference (else the fastest), and the
-   best row of all. name: of the table that has them. */
+/* Shows small pictures: the truth, the row with the smallest error of those that take no longer than the reference
+   (else the fastest), and the row with the smallest error of all. name: of the table that has them. */
 int pictures_thumbs(FILE *f, const char *out, const char *name, const stage *s, const row *rows,
                     const kit_image *pictures, int count, kit_error *err);
 

@@ -5,7 +5,7 @@ const records = {};
 
 /* ---- >>data ------------------------------------------------------------------------------------------------- */
 
-/* Rows of a csv as objects. Cells that look like numbers become numbers. */
+/* Returns a csv's rows as objects. Cells that look like numbers become numbers. */
 function parse(text) {
     const rows = [], cell = /("(?:[^"]|"")*"|[^,\n]*)(,|\n|$)/y;
     let row = [];
@@ -24,7 +24,7 @@ const median = list => {
     const v = list.filter(known).sort((a, b) => a - b), n = v.length;
     return n ? (v[(n - 1) >> 1] + v[n >> 1]) / 2 : null;
 };
-/* Half of the 95 % interval of the mean. */
+/* Returns half of the 95 % interval of the mean of a list of numbers. */
 const half = list => {
     const v = list.filter(known), m = mean(v);
     return v.length > 1 ? 1.96 * Math.sqrt(v.reduce((s, x) => s + (x - m) ** 2, 0) / (v.length - 1) / v.length) : null;
@@ -39,13 +39,13 @@ const grouped = (rows, key) => {
 };
 const unique = list => [...new Set(list)];
 
-/* A row's name: its label, and its method and settings unless the label names them. */
+/* Returns a row's name: its label, and its method and settings unless the label names them. */
 const named = r => `${r.label && r.label !== r.method ? `${r.label}: ` : ''}${r.method ?? ''}${
     r.settings ? ` ${r.settings}` : ''}`;
 const families = ['ssao', 'hsao', 'ssdo', 's3ho', 'ssbn', 'dss', 'aof'];
 const family = r => families.find(f => String(r.method).startsWith(f)) ?? 'others';
 
-/* One row for all rows of one label, method and settings, with means of their numbers. */
+/* Returns a row for all rows of one label, method and settings, with the means of their numbers. */
 function means(rows) {
     return [...grouped(rows, r => [r.label, r.method, r.settings].join('|')).values()].map(group => {
         const of = { ...group[0], scene: 'mean' };
@@ -56,7 +56,7 @@ function means(rows) {
     });
 }
 
-/* The chain of make cost that a row draws; its modelled milliseconds on a device, if they are known. */
+/* For a row: the chain of make cost that draws it, and its modelled milliseconds on a device, if they are known. */
 const chain_words = { 'normal=depth': 'normal=from_depth',
                       'indirect=none': 'transfer=direct,packed_coefficients=0,restore=ratio' };
 const chain_key = text => text.toLowerCase().split(',').sort().join();
@@ -71,7 +71,7 @@ function modelled(r, device = 'RX 6800') {
     const row = table.find(c => chain_key(c.chain) === is && !c.pass && known(c[`${device} weighed`]));
     return row?.[`${device} weighed`] ?? null;
 }
-/* A record's tables with their headings, parsed once; the first table of a kind, or null. */
+/* Returns a record's tables with their headings, parsed once; and the first table of a kind, or null. */
 function tables(record) {
     let heading = '';
     return record.tables ??= record.entries.flatMap(e => {
@@ -81,19 +81,19 @@ function tables(record) {
 }
 const entry = (name, kind) => records[name] ? tables(records[name]).find(t => t.kind === kind)?.rows ?? null : null;
 
-/* Rows without a method: no occlusion, and the exact answer from one depth layer. Rows of other libraries. */
+/* Return whether a row has no method (no occlusion, or the floor), and whether it is another library's. */
 const given = r => r.method === 'none' || r.method === 'floor';
 const peer = r => family(r) === 'others' && !given(r);
 
-/* A row for each method, over the pairs of a scene and a probe. */
+/* Returns a row for each method, with means over the pairs of a scene and a probe. */
 const by_pair = rows => [...grouped(rows, named).values()].map(g => {
     const share = g.map(r => r.share), worst = g.reduce((a, b) => b.share > a.share ? b : a);
     return { label: g[0].label, method: g[0].method, settings: g[0].settings, time: mean(g.map(r => r.relative_time)),
              mean: mean(share), worst: worst.share, pair: `${worst.scene}, ${worst.probe}`,
              'below 1': share.filter(v => v < 1).length, pairs: g.length, bias: mean(g.map(r => r.irradiance_bias)) };
 });
-/* A row for each method over scenes by seed, with models apart. A kind without rows has the mean null; peers are fitted
-   first. Noise: bands from 1.2 to 8 pixels, in thousandths. */
+/* Returns a row for each method, with means over scenes by seed, with models apart. A kind without rows has the mean
+   null; peers are fitted first. Noise: bands from 1.2 to 8 pixels, in thousandths. */
 const by_kind = rows => [...grouped(rows, named).values()].map(all => {
     const g = all.filter(r => r.set !== 'models'), models = all.filter(r => r.set === 'models');
     const of_all = g.length ? g : all;
@@ -110,10 +110,10 @@ const by_kind = rows => [...grouped(rows, named).values()].map(all => {
                                            'models, worst': Math.max(...models.map(r => r.share)) });
     return of;
 });
-/* Means of visibility for a chart by a GPU's time, with peers after their fit. */
+/* Returns each method's mean error of visibility for a chart by a GPU's time, with peers after their fit. */
 const on_gpu = rows => by_kind(rows).map(r => ({ ...r, _ms: r['RX 6800, ms'], share: r.fitted ?? r.mean }));
-/* Kinds in which a peer, fitted to each picture, has a smaller error than a row of ours that costs at least as much, by
-   more than the interval of their difference. */
+/* Returns the kinds in which a peer, fitted to each picture, has a smaller error than a row of ours that costs at least
+   as much, by more than the interval of their difference. */
 function ahead(own, other) {
     const out = [], theirs = grouped(other, 'kind');
     for (const [kind, list] of grouped(own, 'kind')) {
@@ -140,15 +140,15 @@ const colours = { ssao: '#e69f00', hsao: '#0072b2', ssdo: '#009e73', s3ho: '#cc7
 const tip = r => Object.entries(r).filter(([key, v]) => known(v) && v !== '' && key[0] !== '_').map(([key, v]) =>
     `${key.replaceAll('_', ' ')}: ${typeof v === 'number' ? +v.toPrecision(4) : v}`).slice(0, 16).join('\n');
 
-/* The point at which a line's name stands: the method without settings, and best of all the one named first in the
-   label. Of several settings it is the one with the smallest error; of a sweep the last one. */
+/* Returns the point at which a line's name stands: the method without settings, and best of all the one named first in
+   the label. Of several settings it is the one with the smallest error; of a sweep the last one. */
 function meant(group, x, y) {
     const fits = r => 2 * !r.settings + (r.method === String(r.label).split(',')[0]);
     const most = Math.max(...group.map(fits)), of = group.filter(r => fits(r) === most);
     return of.reduce(unique(of.map(named)).length > 1 ? (a, b) => b[y] < a[y] ? b : a : (a, b) => b[x] > a[x] ? b : a);
 }
 
-/* Points of rows, joined by label; x is logarithmic. The broad line joins the rows that no other row beats. */
+/* Draws points of rows, joined by label; x is logarithmic. The broad line joins rows that no row beats in x and y. */
 function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, width = 900, height = 520 }) {
     const points = rows.filter(r => known(r[x]) && known(r[y]) && !given(r))
         .sort((a, b) => a[x] - b[x]);
@@ -173,7 +173,7 @@ function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, wid
     };
 }
 
-/* A strip for each method: a dot for each scene, and the mean with its interval. */
+/* Draws a strip for each method: a dot for each scene, and the mean with its interval. */
 function strips(Plot, rows, { x = 'share', dot = 'kind', across, width = 900 }) {
     const groups = [...grouped(rows, named).entries()].filter(([, g]) => g.some(r => known(r[x])));
     const all = groups.map(([name, g]) => ({ name, mean: mean(g.map(r => r[x])), half: half(g.map(r => r[x])) ?? 0 }));
@@ -218,7 +218,7 @@ const clocks = {
     'RX 6800, modelled: ms': { x: '_ms', across: 'milliseconds of an RX 6800 at 1920x1080, modelled' }
 };
 const timed = rows => rows.map(r => ({ ...r, _ms: modelled(r) }));
-/* The rows of chart.csv for the chart of ambient occlusion, with peers after their fit. */
+/* Returns the rows of chart.csv for the chart of ambient occlusion, with peers after their fit. */
 function ambient(rows, scene) {
     return timed(scene === 'mean' ? means(rows) : rows.filter(r => r.scene === scene)).map(r =>
         ({ ...r, share: peer(r) && known(r.share_fitted) ? r.share_fitted : r.share }));
@@ -250,7 +250,7 @@ const shown = (v, key) => {
     if (c) return (c[4] && v > 0 ? '+' : '') + v.toFixed(c[3]);
     return Number.isInteger(v) ? String(v) : String(+v.toPrecision(4));
 };
-/* Columns without values are left out. A click on a head sorts. */
+/* Makes a table of rows. Columns without values are left out. A click on a head sorts. */
 function table(rows, keys = null) {
     keys ??= Object.keys(rows[0] ?? {}).filter(k => k[0] !== '_' && !['label', 'method', 'settings'].includes(k)
         && (!columns.size || columns.get(k)?.[1] !== '') && rows.some(r => known(r[k]) && r[k] !== ''));
@@ -267,7 +267,7 @@ function table(rows, keys = null) {
                        onclick: sort(k) },
                columns.get(k)?.[1] || k.replaceAll('_', ' '))))), body));
 }
-/* A part of the page that is drawn again after each choice. */
+/* Makes a part of the page that is drawn again after each choice. */
 function chosen(choices, draw) {
     const state = Object.fromEntries(Object.entries(choices).map(([k, v]) => [k, v[0]])), at = el('div');
     const again = () => at.replaceChildren(...draw(state));
@@ -354,7 +354,7 @@ const views = {
 const numbers = rows => table([...grouped(rows, r => r.method).values()].map(g =>
     ({ method: g[0].method, settings: g[0].settings, number: g[0].number })));
 
-/* A paper's sheet from its cells, one for each line: texts, a table and the claims. */
+/* Makes a paper's sheet from its cells, one for each line: texts, a table and the claims. */
 function paper(cells) {
     const text = kind => cells.find(c => c.kind === kind)?.text, word = v => known(v) ? String(v) : '';
     const rows = [...grouped(cells.filter(c => c.row > 0), 'row').values()].map(g => {
@@ -390,7 +390,7 @@ function cost(rows) {
     });
 }
 
-/* A folded part is made when it is opened. */
+/* Makes a folded part of the page, whose contents are made when it is opened. */
 const fold = (title, make) => {
     const d = el('details', {}, el('summary', {}, title));
     d.addEventListener('toggle', () => d.children.length < 2 && d.append(...make()));
@@ -404,14 +404,14 @@ function figure(e) {
               link(e.picture, e.label),
               e.difference ? link(`${e.picture}-difference`, `difference of ${e.label}`) : null);
 }
-/* Pictures that follow each other form a grid. Pictures of many scenes are folded. */
+/* Shows a record's entries. Pictures that follow each other form a grid; those of many scenes are folded. */
 function shown_entries(entries) {
     const out = [];
     let grid = null, scenes = null;
     for (const e of entries) {
         if (!e) continue;
         if (e.columns) { columns = new Map(e.columns.map(c => [c[0], c])); continue; }
-        if (e.level === 4) {                       /* one of many scenes: its pictures in one strip */
+        if (e.level === 4) {                       /* level 4: one of many scenes, whose pictures make a strip */
             if (!scenes) out.push(scenes = { level: 4, list: [] });
             scenes.list.push({ name: e.heading, pictures: [] });
             continue;
@@ -442,13 +442,13 @@ function strip(list) {
                                                            ...s.pictures.map(figure)))))));
 }
 
-/* One number for each method and cause, of all sweeps. */
+/* Returns a table of one number for each method and cause, from a record of all sweeps. */
 function worst(record) {
     const rows = by_cause(record);
     return rows.length ? [table(rows, unique(rows.flatMap(Object.keys)))] : [];
 }
 
-/* The first two stand above the demo's first pictures, where a reader needs them. */
+/* The terms that the page explains. The first two stand above the demo's first pictures, where a reader needs them. */
 const terms = [
     ['time', 'The time of an image, denoisers included, over that of ssao with 16 samples and without a denoiser on '
         + 'the same machine: 2 is twice as long. Both are drawn in turns, and the median of several rounds counts.'],
@@ -472,7 +472,7 @@ const terms = [
         + 'normals. Fitted: after the better of a v^b and 1 - a (1 - v)^b for each image, found by the ground truth.']
 ];
 
-/* Each record's command and subject. The page also lists those that have not run, so that readers know of them. */
+/* Each record's command and subject. The page also lists records that are not there, so that readers know of them. */
 const commands = [
     ['demo', 'make demo', 'every method beside its truth'],
     ['chart', 'make chart', 'speed against accuracy'],
@@ -492,7 +492,7 @@ function missing() {
     return list.length && el('p', { className: 'faint' }, 'More pages, once their commands have run: ', ...list, '.');
 }
 
-/* README's pictures, which the demo opens with; their sizes, so that nothing moves when they arrive. */
+/* README's pictures, which the demo opens with, and their sizes, so that nothing moves when they arrive. */
 const pictures = [
     { picture: 'lit', width: 1284, height: 266, label: 'A whole frame, lit by the sky',
       note: 'without occlusion; with ssdo and one bounce; by ray tracing' },
@@ -533,14 +533,14 @@ function front(entries) {
 }
 const defined = list => el('dl', {}, ...list.flatMap(([t, d]) => [el('dt', {}, t), el('dd', {}, d)]));
 
-/* Opens all folded parts around a section, as the address may name one inside. */
+/* Opens all folded parts around the section id of the address, as it may lie inside of one. */
 function reveal(id) {
     const at = document.getElementById(id);
     for (let e = at; e; e = e.parentElement) if ('open' in e) e.open = true;
     at ? at.scrollIntoView() : scrollTo(0, 0);
 }
-/* All sections but the first are folded, which keeps the page short. Their text is made at once, as a search in the
-   page then opens the section with the word. */
+/* Shows a record. All sections but the first are folded, which keeps the page short. Their text is made at once, so
+   that a search in the page opens the section with the word. */
 function record(of) {
     const lead = [], parts = [];
     for (const e of of.entries)

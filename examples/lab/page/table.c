@@ -1,11 +1,11 @@
-/* table.c - rows as tables, with one list of columns for text, CSV and the page. Declared in table.h. */
+/* table.c - writes rows as tables, with one list of columns for text, CSV and the page. Declared in table.h. */
 #include "lab/page/table.h"
 #include <math.h>
 #include <string.h>
 #include "kit/kit_gl.h"
 #include "lab/page/page.h"
 
-/* The floor and the row of no occlusion have no settings. Only rows that a method drew have bytes. */
+/* Returns a row's settings. The floor and no occlusion have none. Only rows that a method drew have bytes. */
 const char *table_settings(const row *r) { return *r->settings ? r->settings : isnan(r->bytes) ? "" : "defaults"; }
 
 /* ---- >>columns --------------------------------------------------------------------------------------------------- */
@@ -116,7 +116,7 @@ static const column columns[] = {
       "structural similarity with the truth, 1 = the same", AT(score.ssim), 4, 0 }
 };
 
-/* The next column after c (-1: the first) of one of these kinds; -1 past the last. Milliseconds of a software
+/* Returns the next column after c (-1: the first) of one of these kinds; -1 past the last. Milliseconds of a software
    rasteriser are left out, as they would mislead. Columns without a head are in CSV alone. */
 static int next_key(int c, int of)
 {
@@ -195,7 +195,7 @@ static void csv_field(FILE *f, const char *s)
 
 void table_csv(FILE *f, const row *rows, int count, int head)
 {
-    /* all lit rows make one table, all rows of fields another, all of deep screen space a third */
+    /* all lit rows make one table, all rows of fields another, all rows of deep screen space a third */
     const int of = rows->of & OF_AO       ? OF_PHASES | (rows->of & (OF_AO | OF_PEER))
                    : rows->of & OF_FIELDS ? OF_FIELDS
                    : rows->of & OF_DEEPS  ? OF_DEEPS

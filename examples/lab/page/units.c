@@ -1,4 +1,4 @@
-/* units.c - the units of a chart, kept until the chart is complete. Declared in units.h. */
+/* units.c - measures units of a chart, and keeps them until the chart is complete. Declared in units.h. */
 #include "lab/page/units.h"
 #include <math.h>
 #include <stdlib.h>
@@ -24,7 +24,7 @@ int units_load(kit_error *err)
     char *at;
     size_t size;
     int count = 0, of_set = 0;
-    if (kit_file_read(&at, &size, UNITS_ROWS, err)) return -1;      /* not freed, as rows point into it */
+    if (kit_file_read(&at, &size, UNITS_ROWS, err)) return -1;      /* not freed, as rows point into this text */
     for (at += strcspn(at, "\n") + 1; *at; ++count) {
         char *f[5];
         for (int k = 0; k < COUNT(f); ++k) f[k] = page_field(&at);
@@ -71,7 +71,7 @@ int units_count(measuring *measure, int count, const options *o)
     return sum;
 }
 
-/* The key of all units depends on the program with its tables, the command's options and the meshes. */
+/* Sets the key of all units, which depends on the program with its tables, the command's options and the meshes. */
 void units_begin(const options *o, int all)
 {
     static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE, UNITS_ROWS };
@@ -92,7 +92,7 @@ void units_end(void)
     for (int i = 0; i < units.count; ++i) remove(units.path[i]);
 }
 
-/* Whether the pictures of a part of the page are still in the folder. */
+/* Returns whether the pictures that a part of the page names are still in the folder. */
 static int pictured(const char *part, const char *out)
 {
     static const char key[] = "{\"picture\":\"";
@@ -105,13 +105,13 @@ static int pictured(const char *part, const char *out)
     return 1;
 }
 
-/* Reads a unit that an interrupted chart left. Returns how many rows; -1: there is none. */
+/* Reads a unit that an interrupted chart left. Returns how many rows; -1: there is no such file. */
 static int recalled(FILE *f, const options *o, const char *path, row *rows)
 {
     char *text, *at;
     size_t size;
     int count;
-    if (kit_file_read(&text, &size, path, NULL)) return -1;    /* not freed, as rows point into it */
+    if (kit_file_read(&text, &size, path, NULL)) return -1;    /* not freed, as rows point into this text */
     memcpy(&count, text, sizeof count);
     memcpy(rows, text + sizeof count, (size_t)count * sizeof *rows);
     at = text + sizeof count + (size_t)count * sizeof *rows;

@@ -1,10 +1,8 @@
-/* quiet.c - how much noise the eye sees in an image of ambient visibility, in bands of frequency.
-   --help lists the options.
-
-   Differences are those on smooth surfaces in shade (bands.h). The ones from more slices are
-   known for slices alone (hsao and its presets). Ray tracing has a row of its own, the error of half of its rays, which
-   is no smaller than its noise. The charts' milliseconds are measured if a GPU draws, else modelled for entries that
-   make cost names, as a CPU's time says little about a GPU. */
+/* quiet.c - how much noise the eye sees in an image of ambient visibility, in bands of frequency. --help lists the
+   options. Differences are those on smooth surfaces in shade (bands.h). The difference to more slices is known for
+   slices alone (hsao and its presets). Ray tracing has a row of its own, the error of half of its rays, which is no
+   smaller than its noise. The charts' milliseconds are measured if a GPU draws, else modelled for entries that make
+   cost names, as a CPU's time says little about a GPU. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,17 +19,17 @@
 enum { MOST_QUIET = 48, GPU_ROUNDS = 25, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32, WALKED = 20 };
 enum { NOISE, ALL, TRUTH, KINDS };
 
-/* ms: on the GPU that draws, or modelled for DEVICE at 1920x1080; NAN: not known. */
+/* A row of the chart. ms: on the GPU that draws, or modelled for DEVICE at 1920x1080; NAN: not known. */
 typedef struct line { char method[64], settings[256], label[336]; double ms; bands of[KINDS]; } line;
 
 typedef struct quiet {
     const char *scene, *pictures, *out, *context;
-    int         width, height, rays, lines, peers;     /* lines: entries, then the peers' and the truth's */
+    int         width, height, rays, lines, peers;     /* lines: entries, then peers, then the truth */
     float       radius;
     line        line[MOST_LINES];
     stage       stage;
     shaded      shaded;
-    kit_settings walked;                               /* the settings that walk was drawn with */
+    kit_settings walked;                               /* the settings of the entry that walk was drawn by */
     kit_image   walk;
 } quiet;
 
@@ -46,7 +44,7 @@ static int draw(kit_image *out, quiet *q, const char *method, const char *settin
     return failed;
 }
 
-/* Draws q->walk: the settings at full resolution with many slices and samples. Keeps it if it is there already. */
+/* Draws q->walk: these settings at full resolution with many slices and samples. Keeps one that is there. */
 static int walk_whole(quiet *q, const char *method, const char *settings, kit_error *err)
 {
     char text[384];
@@ -69,7 +67,8 @@ static int save(const quiet *q, int number, const char *label, const char *endin
     return pictures_save(image, "Y", 0, q->pictures, name, ending, err);
 }
 
-/* Compares a picture with each reference (NULL: not known). The bands of the first reference are saved as a picture. */
+/* Fills in line i: a picture's difference to each reference (NULL: not known). Saves the first one's bands as a
+   picture. */
 static int compare(quiet *q, int i, const kit_image *picture, const kit_image *const reference[KINDS], kit_error *err)
 {
     line *l = &q->line[i];
@@ -107,7 +106,7 @@ static int measure_entry(quiet *q, int i, kit_error *err)
     return failed;
 }
 
-/* Measures other libraries' effects. Returns how many rows there are; -1 = failed. */
+/* Measures other libraries' effects as lines. Returns how many there are; -1 = failed. */
 static int measure_peers(quiet *q, kit_error *err)
 {
     const kit_image *const reference[KINDS] = { NULL, NULL, &q->stage.truth };
@@ -126,8 +125,8 @@ static int measure_peers(quiet *q, kit_error *err)
     return count;
 }
 
-/* The truth's noise, by the truth of half of its rays. The rays are a sequence whose first half is evenly spread, too.
-   For independent rays the half differs from the whole by the whole's own error; for these by more. */
+/* Measures the truth's noise, by the truth of half of its rays. The rays are a sequence whose first half is evenly
+   spread, too. For independent rays the half differs from the whole by the whole's own error; for these by more. */
 static int measure_grain(quiet *q, kit_error *err)
 {
     stage half = q->stage;
@@ -145,7 +144,7 @@ static int measure_grain(quiet *q, kit_error *err)
 
 /* ---- >>milliseconds ---------------------------------------------------------------------------------------------- */
 
-/* The modelled milliseconds of an entry's chain by make cost: weighed, at 1920x1080. */
+/* Returns the modelled milliseconds of an entry's chain by make cost: weighed, at 1920x1080; NAN: not known. */
 static double ms_of(const line *l, const csv *costs)
 {
     char name[336];

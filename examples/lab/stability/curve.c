@@ -1,4 +1,4 @@
-/* curve.c - curves of a sweep. Declared in curve.h. */
+/* curve.c - makes the curves of a sweep. Declared in curve.h. */
 #include "lab/stability/curve.h"
 #include <math.h>
 #include <string.h>

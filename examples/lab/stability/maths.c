@@ -1,4 +1,4 @@
-/* maths.c - sweeps of the library's maths alone. Declared in maths.h. */
+/* maths.c - sweeps of the library's CPU functions alone. Declared in maths.h. */
 #include "lab/stability/maths.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,10 +9,10 @@
 
 enum { ANGLES = 73, SPHERE_POINTS = 40000 };
 
-/* A surface's visibility as harmonics: open, or, in shade, open in a cone of 30 degrees, 45 degrees off the normal. */
+/* Writes a surface's visibility as harmonics: open, or, in shade, open in a cone of 30 degrees, 45 off the normal. */
 static void transfer_of(double transfer[16], int shade)
 {
-    for (int i = 0; i < SPHERE_POINTS; ++i) {              /* a spiral about the normal, z */
+    for (int i = 0; i < SPHERE_POINTS; ++i) {              /* points on a spiral around the normal, the axis z */
         const double z = 1 - (i + 0.5) * 2 / SPHERE_POINTS, s = sqrt(1 - z * z), a = 2.39996322972865 * i;
         const float d[3] = { (float)(s * cos(a)), (float)(s * sin(a)), (float)z };
         float basis[16];
@@ -22,8 +22,8 @@ static void transfer_of(double transfer[16], int shade)
     }
 }
 
-/* A point's irradiance while a sun as harmonics turns around it, over that of an open surface that faces the sun. The
-   number is the lowest value. */
+/* Adds a curve of a point's irradiance while a sun as harmonics turns around it, over that of an open surface that
+   faces the sun. The number is the lowest value. */
 static int ringing(result *r, int shade, kit_error *err)
 {
     static const char *const labels[3][3] = { { "2 bands", "2 bands, Hann", "2 bands, positive" },
@@ -98,7 +98,7 @@ static int traced(double v[LINE_POINTS], const kit_mesh *table, kit_error *err)
     return 0;
 }
 
-/* Occlusion by the field, with these limits inside of the hull (below 0: the measured ones). */
+/* Fills v with the field's occlusion along the line, with these limits in the hull (below 0: the measured ones). */
 static int by_field(double v[LINE_POINTS], const kit_mesh *table, float inside, float power, kit_error *err)
 {
     kit_method made;
@@ -117,7 +117,7 @@ static int by_field(double v[LINE_POINTS], const kit_mesh *table, float inside, 
     return 0;
 }
 
-/* A curve of the values, or of their steps over a hundredth of the table. Its number: worst error or largest step. */
+/* Adds a curve of values, or of their steps over a hundredth of the table. Number: worst error or largest step. */
 static void line_curve(result *r, const char *label, int method, const double *v, const double *truth, int steps)
 {
     curve *c = curve_new(r, label, method);
@@ -161,7 +161,7 @@ int maths_hull_steps(result *r, kit_error *err) { return through(r, 1, err); }
 
 enum { APPROACH_POINTS = 140, APPROACH_WIDTH = 320, APPROACH_HEIGHT = 180 };
 
-/* How many surfels a scene makes at a multiple of the nearest distance. divided: room, kept between calls. */
+/* Counts the surfels that a scene makes at a multiple of the nearest distance. divided: room, kept between calls. */
 static int surfels_at(size_t *count, float **divided, const kit_scene *scene, ssgi_surfel_desc d, double times,
                       kit_error *err)
 {
@@ -192,7 +192,7 @@ static int surfels_at(size_t *count, float **divided, const kit_scene *scene, ss
     return 0;
 }
 
-/* Curves of the change of the surfels' count over a step of 1 % of the distance. The number is the largest change. */
+/* Adds curves of the surfels' count's change over a step of 1 % of the distance. The number is the largest one. */
 int maths_popping(result *r, kit_error *err)
 {
     static const struct { const char *label; ssgi_surfel_desc d; } kept[] = {

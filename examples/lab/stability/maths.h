@@ -1,4 +1,4 @@
-/* maths.h - sweeps of the library's maths alone: a sun as harmonics that rings, a field's hull, surfels that pop. */
+/* maths.h - sweeps of CPU functions alone: a sun as harmonics that rings, a field's hull, surfels that pop. */
 #ifndef LAB_MATHS_H
 #define LAB_MATHS_H
 

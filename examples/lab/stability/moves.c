@@ -15,7 +15,7 @@ static const char *const own_methods[] = { "hsao-fast", "hsao-fast:history=1", "
                                            "hsao-best", NULL };
 
 /* Kinds of moves. Scenes take the first IN_TURN of them in turn; the others, which a host does to frames, are asked
-   for. Each frame makes a step: pixels to the right, a share of the way to the target, degrees of roll and of orbit. */
+   for. A frame's step: pixels to the right, a share of the way to the target, degrees of roll and of orbit. */
 enum { EVEN, CUTS, STOPS, JITTERS, RESIZES, UNEVEN };
 static const struct kind {
     const char *name;
@@ -29,13 +29,13 @@ static const struct kind {
               { "resized", 0.7f, 0, 0, 0, RESIZES }, { "uneven", 1, 0, 0, 0, UNEVEN } };
 enum { KINDS = sizeof kinds / sizeof *kinds, IN_TURN = 8, OF_SEEDS = 8, OF_MODELS = 8 };
 
-/* How many steps each frame takes with UNEVEN; the picture's width in eighths with RESIZES. */
+/* Frame by frame: how many steps the camera takes with UNEVEN; the picture's width in eighths with RESIZES. */
 static const float step_of[SPAN] = { 1, 1, 0.5f, 3, 0.25f, 1, 2, 0.5f };
 static const int eighths[SPAN] = { 8, 8, 7, 6, 6, 7, 8, 5 };
 
 /* ---- >>path ------------------------------------------------------------------------------------------------------ */
 
-/* The i-th number of Halton's sequence. */
+/* Returns the i-th number of Halton's sequence for a base. */
 static float halton(int i, int base)
 {
     float v = 0, share = 1;
@@ -96,7 +96,7 @@ static int truth_of(kit_image *out, const shot *s, int rays, kit_error *err)
 
 /* ---- >>figures --------------------------------------------------------------------------------------------------- */
 
-/* The mean deviation over SPAN frames of the places that all of the frames show. */
+/* Returns the mean over pixels of the deviation over SPAN frames, at the points that all of the frames show. */
 static double deviation(const shot *shots, const kit_image *pictures)
 {
     const kit_image *each[SPAN];
@@ -114,8 +114,8 @@ static double deviation(const shot *shots, const kit_image *pictures)
     return sum / (double)(places ? places : 1);
 }
 
-/* The error of pictures after a host's TAA, with a camera that stands: their exponential average by a tenth, against
-   the truth's mean over the last SPAN frames. */
+/* Returns the error of pictures after a host's TAA, with a camera that stands: their exponential average by a tenth,
+   against the truth's mean over the last SPAN frames. */
 static double error_by_taa(const shot *s, const kit_image *pictures, const kit_image *truths)
 {
     double sum = 0;
@@ -137,12 +137,12 @@ static double error_by_taa(const shot *s, const kit_image *pictures, const kit_i
 
 /* ---- >>moves ----------------------------------------------------------------------------------------------------- */
 
-/* A row's figures: the deviation while history fills, and after; the error of the last frame with history, and alone;
-   the error after TAA. */
+/* A row's figures: the deviation while history fills, and after; the error of the last frame, with history and drawn
+   alone; the error after TAA. */
 enum { FILLING, FILLED, LAST, ALONE, BY_TAA, MOVE_FIGURES };
 
-/* "turned METHOD" has another noise in each frame, though it keeps no history. "place METHOD" is not told that only
-   jitter changed the projection. */
+/* Takes a word off the method's text. "turned METHOD" has another noise in each frame, though it keeps no history.
+   "place METHOD" is not told that only jitter changed the projection. */
 static int told(const char **text, const char *word)
 {
     const size_t length = strlen(word);
@@ -159,7 +159,7 @@ static int method_of(kit_method *m, const char *text, kit_error *err)
     return kit_method_find(m, name, err) || kit_method_set(m, colon ? colon + 1 : "", err) ? -1 : 0;
 }
 
-/* pictures: those of all frames, then that of the last frame alone. */
+/* Draws all frames of a method. pictures: of these frames, then of the last frame drawn alone. */
 static int draw_all(kit_image *pictures, shot *shots, const char *text, const struct kind *kind, kit_error *err)
 {
     static kit_frames frames;
@@ -188,13 +188,13 @@ static int stands(const struct kind *kind)
     return !(fabsf(kind->aside) + fabsf(kind->nearer) + fabsf(kind->roll) + fabsf(kind->orbit) > 0);
 }
 
-/* Turned noise is meant for TAA, which is tried with a standing camera. "place" makes a difference with jitter. */
+/* Skips pairs. Turned noise is meant for TAA, tried with a standing camera. "place" makes a difference with jitter. */
 static int skipped(const char *method, const struct kind *kind)
 {
     return (told(&method, "turned ") && !stands(kind)) || (told(&method, "place ") && kind->how != JITTERS);
 }
 
-/* Measures the figures of every method in a scene. */
+/* Measures the figures of every method in a scene, under one kind of move. */
 static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct kind *kind, const char *const *methods,
                  const moves_options *o, kit_error *err)
 {
@@ -226,7 +226,7 @@ static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct
     return 0;
 }
 
-/* Kinds of frames that hosts make, each on as many scenes, and their methods. */
+/* The kinds of frames that hosts make, each on OF_HOSTS scenes, and the methods that draw them. */
 static const char *const host_kinds[] = { "still", "jittered", "resized", "uneven", NULL };
 static const char *const host_methods[] = { "hsao-fast", "turned hsao-fast", "hsao-fast:history=1", "turned hsao",
                                             "hsao-history", "place hsao-history", "hsao-best", NULL };
@@ -250,7 +250,7 @@ static const struct kind *kind_of(const moves_options *o, int k, kit_error *err)
     return NULL;
 }
 
-/* Finds the k-th scene; 0: there is none. */
+/* Makes the path of the k-th scene. Returns 0 if there is none. */
 static int scene_of(char path[128], const moves_options *o, int k)
 {
     if (o->scene[0]) {

@@ -1,4 +1,4 @@
-/* moves.h - how steady methods are while a camera moves past a scene that stands still. */
+/* moves.h - measures how steady methods are while a camera moves past a scene that stands still. */
 #ifndef LAB_MOVES_H
 #define LAB_MOVES_H
 
@@ -7,18 +7,18 @@
 
 enum { MOST_MOVES = 24 };
 
-/* scene, method, kind end with NULL; an empty list stands for that of moves.c. A method may have settings after a
-   colon. from: the first seed of scenes, and number of models; count: of scenes, 0: all. */
+/* The options of moves. scene, method, kind end with NULL; an empty list stands for that of moves.c. A method may have
+   settings after a colon. from: the first seed of scenes, and number of models; count: of scenes, 0: all. */
 typedef struct moves_options {
     const char *scene[MOST_MOVES + 1], *method[MOST_MOVES + 1], *kind[MOST_MOVES + 1];
     int width, rays, from, quick, count;
 } moves_options;
 
-/* Sets the kinds of frames that a host makes: a camera that stands, jitter, changes of size, uneven time. */
+/* Asks for the kinds of frames that a host makes: a camera that stands, jitter, changes of size, uneven time. */
 void moves_of_hosts(moves_options *o);
 
 /* Prints a table with a row for each scene, with its kind of move, and each method: the deviation over frames of
-   followed places, less the truth's, while history fills and after; the error of the last frame, and that over the
+   followed points, less the truth's, while history fills and after; the error of the last frame, and that over the
    error of the frame alone; with a standing camera the error after TAA. csv (may be NULL): the same rows, below their
    heads. Truths are kept under build/cache. */
 int moves(const moves_options *o, FILE *csv, kit_error *err);

@@ -1,4 +1,4 @@
-/* shot.c - a scene as one frame of a sweep shows it. Declared in shot.h. */
+/* shot.c - draws a scene as one frame of a sweep shows it. Declared in shot.h. */
 #include "lab/stability/shot.h"
 #include <math.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 
 /* ---- >>opening --------------------------------------------------------------------------------------------------- */
 
-/* Stores depth in another format. */
+/* Stores the frame's depth in another format, as look's format says. */
 static int recode(shot *s, int format, kit_error *err)
 {
     kit_gbuffer *g = &s->gbuffer;
@@ -59,7 +59,7 @@ static int look_around(shot *s, const look *l, kit_error *err)
     return 0;
 }
 
-/* Turns v about an axis. */
+/* Turns a vector v about an axis. */
 static void turn(float v[3], const float about[3], float degrees)
 {
     const float c = cosf(degrees * DEGREE), s = sinf(degrees * DEGREE);
@@ -120,7 +120,7 @@ static int drawn(kit_image *out, shot *s, const char *method, const char *set, f
     return picture_drawn(out, &s->gbuffer, &world, method, set, radius, err);
 }
 
-/* Adds boxes; hides all other casters in the ground if one alone is asked for; scales the scene. */
+/* Changes a look's scene: adds boxes; hides all casters but one in the ground, if that is asked for; scales. */
 static int furnish(shot *s, const look *l, kit_error *err)
 {
     static const float grey[3] = { 0.7f, 0.7f, 0.7f },
@@ -159,7 +159,7 @@ static int trace(shot *s, const look *l, const int truths[2], kit_error *err)
     if (truths[0] && lit && l->within)
         return kit_truth_lit(&s->truth[0], &s->scene, c, &s->lighting, s->radius, attenuation, 0, l->rays, l->stride,
                              err);
-    /* Nothing blocks at so small a radius: the truth is the change of the light itself. */
+    /* Nothing blocks at so small a radius, so the truth is the change of the light itself. */
     if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo-points", "bounce=none,blur=0", 1e-4f * s->radius, err);
     if (truths[0] && kit_truth_ao(&s->truth[0], &s->scene, c, s->radius, attenuation, l->rays, l->stride, err))
         return -1;
@@ -263,7 +263,7 @@ double shot_apart(const kit_image *a, const kit_image *b, const float *mask)
     return sqrt(sum / (double)count);
 }
 
-/* Carries a place along with its object, which stands elsewhere in another frame. */
+/* Carries a point p along with its object, which stands elsewhere in another frame. */
 static void carry(float p[3], const float *from, const float *to)
 {
     const float square = from[0] * from[0] + from[1] * from[1] + from[2] * from[2];

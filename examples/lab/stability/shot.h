@@ -1,4 +1,4 @@
-/* shot.h - a scene as one frame of a sweep shows it, with its truth and the methods' pictures. */
+/* shot.h - draws a scene as one frame of a sweep shows it: its truth and the methods' pictures. */
 #ifndef LAB_SHOT_H
 #define LAB_SHOT_H
 
@@ -11,33 +11,33 @@ typedef struct shot {
     kit_scene    scene;
     kit_gbuffer  gbuffer;
     kit_lighting lighting;
-    kit_image    frame, truth[2];                          /* truth: of all occlusion, of that between objects */
+    kit_image    frame, truth[2];                          /* truth[]: of all occlusion, of that between objects */
     kit_image    picture[MOST_METHODS], single[MOST_METHODS];
-    float       *mask, to_world[MOST_OBJECTS][16];         /* mask: above 0 at pixels that are scored */
+    float       *mask, to_world[MOST_OBJECTS][16];         /* mask: above 0 at the pixels that are scored */
     uint32_t    *object;
     float        radius;
 } shot;
 
-/* truths: 1 for each truth that is traced. */
+/* Opens the scene, the frame and the truths of a look. truths[k] is 1 if truth k is traced. */
 int    shot_open(shot *s, const look *l, const int truths[2], kit_error *err);
 void   shot_close(shot *s);
 
-/* Aims the camera of a look; returns the width of one of its pixels at the target. */
+/* Aims a camera as a look says. Returns the width of one of its pixels at the target. */
 float  shot_aim(kit_camera *c, const look *l);
-/* Draws method m. shot_draw_kept: with history, and into single without it, by the same noise. */
+/* Draws method m. shot_draw_kept also draws it with history; single has the picture without it, by the same noise. */
 int    shot_draw(shot *s, int m, kit_error *err);
 int    shot_draw_kept(shot *s, int m, kit_frames *frames, kit_error *err);
-/* The values that are compared: ambient visibility, or irradiance over pi, which equals it under white light. */
+/* Returns the values to compare: ambient visibility, or irradiance over pi, which equals it under white light. */
 float *shot_values(const kit_image *picture);
-/* Interpolates a picture at a place of an object; 0 if the frame shows something else there. */
+/* Interpolates a picture at a point of an object. Returns 0 if the frame shows another surface there. */
 int    shot_value_at(double *value, const shot *s, const kit_image *picture, const float p[3], uint32_t object);
-/* The place that a pixel shows. */
+/* Writes the point of the scene that a pixel shows. */
 void   shot_place(const shot *s, int pixel, float p[3]);
-/* The values of so many pictures at the place that a pixel of the first one shows, carried along with its object.
-   Returns 0 if some frame does not show it. */
+/* Writes the values of so many pictures at the point that a pixel of the first one shows, carried along with its
+   object. Returns 0 if some frame does not show the point. */
 int    shot_followed(double *v, const shot *shots, int frames, const kit_image *const *pictures, int pixel);
-/* The RMSE between two pictures (a NULL: of 1 everywhere) over the pixels that are scored and known in b. A value that
-   is no number has an error of 1. */
+/* Returns the RMSE between two pictures (a NULL: of 1 everywhere) over the pixels that are scored and known in b. A
+   value that is no number has an error of 1. */
 double shot_apart(const kit_image *a, const kit_image *b, const float *mask);
 
 #endif

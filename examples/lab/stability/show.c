@@ -6,7 +6,7 @@
 
 #define OF_ALONE "error over that of the frame alone"
 #define DIFFERENCE "method, truth, difference (full colour: 0.5)"
-/* For each kind of cause: the meaning of its number, the chart's axis, and the words beside a picture. */
+/* A table by kind of cause: the meaning of its number, the chart's axis, and the words beside a picture. */
 static const struct { const char *number, *up, *shown; } kinds[] = {
     [ERROR] = { "largest RMSE to the truth", "RMSE to the truth", DIFFERENCE },
     [PRECISION] = { "greatest depth up to which RMSE stays within 0.02", "RMSE to the picture with exact depth",
@@ -76,7 +76,7 @@ int show_cause(FILE *record, FILE *csv, const result *r, const char *out, kit_er
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-/* The number of a method, or of the reference beside methods; "" if there is none. */
+/* Prints the number of a method's curve, or of the reference beside methods; "" if there is none. */
 static const char *number_of(char text[32], const result *r, int method)
 {
     *text = 0;

@@ -1,9 +1,7 @@
 /* stability.c - where methods fail: each method is swept through causes of failure, and its error or flicker is plotted
-   against each. --help lists the options.
-
-   Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c has the
-   methods and causes; sweep.c measures a sweep over shot.c's frames; maths.c sweeps the library's maths alone; show.c
-   shows the results. */
+   against each. --help lists the options. Truth is traced anew each time. Bad input, or a write that fails: one line on
+   stderr, status 2. sweeps.c has the methods and causes; sweep.c measures a sweep over shot.c's frames; maths.c sweeps
+   the CPU functions alone; show.c shows the results. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
@@ -15,7 +13,7 @@
 #include "lab/stability/show.h"
 #include "lab/stability/sweep.h"
 
-/* Adds tables of moves through scenes that nothing was tuned on, and of frames as hosts make them. */
+/* Adds tables of cameras that move through scenes on which nothing was tuned, and of frames as hosts make them. */
 static int add_moves(page *record, const sweep_options *o, kit_error *err)
 {
     for (int hosts = 0; hosts < 2; ++hosts) {

@@ -1,4 +1,4 @@
-/* sweep.c - sweeps a method through a cause of failure: its frames give an error, flicker, lag or trail at each value.
+/* sweep.c - sweeps methods through a cause of failure: its frames give an error, flicker, lag or trail at each value.
    Declared in sweep.h. */
 #include "lab/stability/sweep.h"
 #include <math.h>
@@ -8,7 +8,7 @@
 
 /* ---- >>figures of one frame -------------------------------------------------------------------------------------- */
 
-/* Scores only places that the frame before did not show. */
+/* Scores only the pixels whose points the frame before did not show. */
 static void only_new(shot *s, const shot *last)
 {
     for (int i = 0; i < s->frame.width * s->frame.height; ++i) {
@@ -20,9 +20,9 @@ static void only_new(shot *s, const shot *last)
     }
 }
 
-/* How much of the old picture is still seen, at pixels whose truth has changed: the mean difference to the frame alone,
-   counted toward the old truth. share: instead, the share of all pixels at which this difference is above HELD_MOST,
-   and raises the error by more than HELD_MOST. */
+/* Returns how much of the old picture is still seen, at pixels whose truth has changed: the mean difference to the
+   frame alone, counted toward the old truth. share: instead, the share of all pixels at which this difference is above
+   HELD_MOST, and raises the error by more than HELD_MOST. */
 static const float HELD_MOST = 0.05f;
 static double remains(const shot *s, const shot *before, int m, int share)
 {
@@ -43,9 +43,9 @@ static double remains(const shot *s, const shot *before, int m, int share)
 
 /* ---- >>figures over frames --------------------------------------------------------------------------------------- */
 
-/* The deviation over the frames of places that the first frame shows. second: for light that changes by itself, the
-   root mean square of the second difference instead, divided by the root of 6, which noise would have (1 -2 1). map:
-   the same at each pixel, 0 if not known. mean: of the values. */
+/* Returns the deviation over the frames at points that the first frame shows. second: for light that changes by itself,
+   the root mean square of the second difference instead, divided by the root of 6, which noise would have (1 -2 1).
+   map: the same at each pixel, 0 if not known. mean: of the values. */
 static double flicker(float *map, double *mean, const shot *shots, int frames, const kit_image *const *pictures,
                       int second)
 {
@@ -68,7 +68,7 @@ static double flicker(float *map, double *mean, const shot *shots, int frames, c
     return sqrt(sum / (double)places);
 }
 
-/* The error of all frames over that of the same frames alone. */
+/* Returns the error of all frames over that of the same frames alone, at points new to each frame. */
 static double newly_over_alone(const shot *shots, int frames, int m)
 {
     double sum[2] = { 0, 0 };
@@ -81,7 +81,7 @@ static double newly_over_alone(const shot *shots, int frames, int m)
     return sqrt(sum[0] / sum[1]);
 }
 
-/* The largest ratio of a frame's error to that of the frame alone, from frame first on. */
+/* Returns the largest ratio of a frame's error to that of the frame drawn alone, from frame first on. */
 static double most_over_alone(const shot *shots, int first, int frames, int m)
 {
     double most = 0;
@@ -93,7 +93,7 @@ static double most_over_alone(const shot *shots, int first, int frames, int m)
     return most;
 }
 
-/* A method's flicker, less the truth's except for SECOND; for m below 0 the truth's. */
+/* Returns a method's flicker, less the truth's except for SECOND; for m below 0 the truth's. */
 static double flicker_of(float *map, const shot *shots, int frames, int kind, int m, int between)
 {
     const kit_image *truths[FRAMES], *pictures[FRAMES];
@@ -110,12 +110,12 @@ static double flicker_of(float *map, const shot *shots, int frames, int kind, in
 
 /* ---- >>points ---------------------------------------------------------------------------------------------------- */
 
-/* Picture, truth and their difference (or the flicker) side by side, at one pixel of each stride x stride. */
+/* Puts a picture, its truth and their difference (or the flicker) side by side, one pixel of each stride x stride. */
 static int strip(kit_image *out, const kit_image *a, const kit_image *b, const float *map, const look *l, float gain,
                  kit_error *err)
 {
     const int width = l->width / l->stride, height = l->height / l->stride, pixels = width * height;
-    kit_image small[3], colour;                /* picture, truth, and the picture whose difference is shown */
+    kit_image small[3], colour;                /* picture, truth, and the picture that the difference is of */
     for (int k = 0; k < 3; ++k) {
         if (kit_image_new(&small[k], width, height, "Y", err)) return -1;
         for (int i = 0; i < pixels; ++i) {
@@ -138,13 +138,13 @@ static int strip(kit_image *out, const kit_image *a, const kit_image *b, const f
     return 0;
 }
 
-/* The picture with which a curve is compared in the last frame. */
+/* Returns the picture with which a curve's last frame is compared. */
 static const kit_image *truth_of(const shot *shots, int frames, int kind, int m, int between)
 {
     return kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &shots[frames - 1].truth[between];
 }
 
-/* A curve's figure from the frames of one value. map: see flicker; otherwise it stays as it is. */
+/* Returns a curve's figure, from the frames of one value. map: see flicker; otherwise it stays as it is. */
 static double figure_of(float *map, const shot *shots, int frames, int kind, int m, int between)
 {
     const shot *s = &shots[frames - 1];
@@ -190,7 +190,7 @@ static int point_of(result *r, int point, const shot *shots, int frames, const l
     return 0;
 }
 
-/* The number of a curve of PRECISION: the largest value up to which all errors are at most LIMIT. */
+/* The number of a curve of PRECISION is the largest value up to which all errors are at most LIMIT. */
 static const double LIMIT = 0.02;
 static void holds(result *r)
 {
@@ -202,7 +202,7 @@ static void holds(result *r)
 
 /* ---- >>sweep ----------------------------------------------------------------------------------------------------- */
 
-/* How many frames a value of a cause takes. */
+/* Returns how many frames a value of a cause takes. */
 static int frames_of(const cause *c, double value)
 {
     if (c->kind == ERROR) return 1;
@@ -211,7 +211,7 @@ static int frames_of(const cause *c, double value)
     return c->kind == FOLLOWS || c->kind == NEWLY || (c->kind == DEVIATION && c->of == KEPT) ? FRAMES : 4;
 }
 
-/* Makes a curve for each method that is swept and for the reference beside them; truths: which ones these need. */
+/* Adds a curve for each swept method and for the reference beside them; truths: set to those they need. */
 static void curves_of(result *r, const sweep_options *o, int truths[2])
 {
     static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL, NULL, NULL };

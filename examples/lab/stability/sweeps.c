@@ -24,7 +24,7 @@ const swept sweeps_method[] = {
     { "hsao-2x10-history", "hsao", "samples=10,history=1",          KEPT,           1920 },
     { "ssdo-history", "ssdo",    "bounce=none,history=1",        KEPT | KEPT_LIGHT, 1920 },
     { "ssdo-fast-history", "ssdo-fast", "bounce=none,history=1", KEPT_LIGHT,     1920 },
-    /* at full resolution, with the reach that a close look needs, 0.7 image heights; 4 levels reach 0.18 */
+    /* with the reach that a close look needs, 0.7 image heights; 4 levels reach 0.18 of one */
     { "dss",        "dss",        "levels=6,resolution=full",              OF_SURFELS,       1280 },
     { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED,         1280 },
     { "aof",        "aof",        "field_resolution=8,radii=8,rays=64", FIELD,          1920 }
@@ -62,7 +62,7 @@ static void tilt_wall(look *l)
     set_box(l->where, -0.3f, -0.1f, -0.6f, 0.351f, 0.6f, 0.6f);
 }
 
-/* Rolled by ten degrees, so that a pole thinner than a pixel shows only here and there. */
+/* A pole, with a camera that rolls by ten degrees, so that a pole thinner than a pixel shows only here and there. */
 static void pole(look *l)
 {
     const float w = 0.5f * l->value * 2 * 4 * tanf(15 * DEGREE) / (float)l->height;
@@ -113,7 +113,7 @@ static void of_pixels(look *l)
     l->pixels = l->value;
 }
 
-/* Scores the ground along a box' side, as far as it is seen beside an edge: the picture's, or a screen's in front. */
+/* Scores the ground along a box' side, as far as it is seen beside an edge: of the picture, or of a screen. */
 static void along(look *l, float side, float edge, float z0, float z1)
 {
     set_box(l->where, side > edge ? side : edge, -0.1f, z0, (side > edge ? side : edge) + 0.4f, 0.01f, z1);
@@ -128,7 +128,7 @@ static void off_screen(look *l)
     along(l, side, edge, -0.3f, 0.3f);
 }
 
-/* The camera turns to the right, until a box of which the last 0.15 were in the picture has left it. */
+/* Turns the camera to the right, until a box of which the last 0.15 were in the picture has left it. */
 static void turned_off(look *l)
 {
     const float pixel = 2 * 3.72f * tanf(15 * DEGREE) / (float)l->height, side = -1.62f;
@@ -158,7 +158,7 @@ static void near_plane(look *l)
     set_box(l->where, -0.3f, -0.1f, -0.85f, 0.08f, 0.01f, -0.55f);
 }
 
-/* Depths are 4.9 times a power of two, so that only the precision of depth changes. */
+/* Makes depths of 4.9 times a power of two, so that only the precision of stored depth changes. */
 static void stored(look *l)
 {
     l->scene = "boxes";
@@ -234,7 +234,7 @@ static void rolled(look *l)
     set(l->up, sinf(a), cosf(a), 0);
 }
 
-/* A box on a floor, so many pixels from the middle. went: pixels that it moved since the frame before. */
+/* Puts a box on a floor, so many pixels from the middle. went: pixels that it moved since the frame before. */
 static void box_at(look *l, float pixels, float went)
 {
     const float pixel = 2 * 5 * tanf(15 * DEGREE) / (float)l->height, x = pixels * pixel;
@@ -244,10 +244,10 @@ static void box_at(look *l, float pixels, float went)
     set_box(l->box[0], x - 0.4f, 0.001f, -0.4f, x + 0.4f, 0.7f, 0.4f);
 }
 static void slid(look *l) { box_at(l, l->value * (float)(l->frame - CHANGED), l->value); }
-/* The box was not there before, so it has not moved. */
+/* A box appears at frame CHANGED. It was not there before, so its motion is 0. */
 static void appeared(look *l) { box_at(l, l->frame < CHANGED ? 1000 : 0, 0); }
 static void vanished(look *l) { box_at(l, l->frame < CHANGED ? -20 : 20, l->frame == CHANGED ? 40 : 0); }
-/* Nothing tells the method that the view is another one: the worst case of a cut. */
+/* Cuts to another view, of which nothing tells the method: the worst case of a cut. */
 static void jumped(look *l)
 {
     l->scene = "casters";
@@ -273,7 +273,7 @@ static const struct { const char *name; int (*curves)(result *r, kit_error *err)
 cause sweeps_cause[MOST_CAUSES];
 int sweeps_causes;
 
-/* The index of the word with which a text begins, up to a + or its end; -1: no such word. words: separated by
+/* Returns the index of the word with which a text begins, up to a + or its end; -1: no such word. words: separated by
    blanks. */
 static int word(const char *words, const char *text)
 {
@@ -287,7 +287,7 @@ static int word(const char *words, const char *text)
     return -1;
 }
 
-/* Makes a cause of the fields of a line; 0: one of them is wrong. */
+/* Makes a cause of the fields of a line of the csv. Returns 0 if one of them is wrong. */
 static int cause_of(cause *c, char *const *f)
 {
     *c = (cause){ .name = f[0], .title = f[1], .across = f[2], .about = f[3], .holds = f[15], .bounds = f[16] };
@@ -318,7 +318,7 @@ int sweeps_load(kit_error *err)
 
     char *at, *f[FIELDS];
     size_t size;
-    if (kit_file_read(&at, &size, SWEEPS_CAUSES, err)) return -1;   /* not freed, as causes point into it */
+    if (kit_file_read(&at, &size, SWEEPS_CAUSES, err)) return -1;   /* not freed, as causes point into this text */
     for (at += strcspn(at, "\n") + 1, sweeps_causes = 0; *at; ++sweeps_causes) {
         for (int k = 0; k < FIELDS; ++k) f[k] = page_field(&at);
         if (sweeps_causes == MOST_CAUSES || !cause_of(&sweeps_cause[sweeps_causes], f))

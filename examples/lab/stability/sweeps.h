@@ -8,8 +8,8 @@
 
 /* ---- >>methods --------------------------------------------------------------------------------------------------- */
 
-/* The groups of methods that a cause is tried with: all that read the screen; light, which equals ambient visibility if
-   it is white from everywhere; surfels; fields; methods that back faces help; a sun that turns. */
+/* Bits for the groups of methods that a cause is tried with: all that read the screen; light, which equals ambient
+   visibility if it is white from everywhere; surfels; fields; methods that back faces help; a sun that turns. */
 enum {
     SCREEN = 1,
     LIGHT = 2,
@@ -21,7 +21,7 @@ enum {
     KEPT_LIGHT = 128 /* the same, of light */,
     AMBIENT = SCREEN | LIGHT | OF_SURFELS
 };
-/* widest: the largest width that it is drawn at */
+/* A method that is swept. widest: the largest picture width at which it is drawn */
 typedef struct swept { const char *label, *method, *settings; int of, widest; } swept;
 enum { MOST_METHODS = 24 };
 extern const swept sweeps_method[];
@@ -29,45 +29,45 @@ extern const int sweeps_methods;
 
 /* ---- >>causes ---------------------------------------------------------------------------------------------------- */
 
-/* how depth is stored: view depth as 32F; as 16F; then window depth */
+/* formats of stored depth: view depth as 32F; as 16F; then three of window depth */
 enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
 enum { BOXES = 3, SUN_DEGREES = 3, MOST_VALUES = 12 };
-/* A frame of a cause. Members that are 0 are the scene's own. */
+/* One frame of a cause. Members that are 0 are the scene's own. */
 typedef struct look {
-    float value;                           /* the cause's value, and the number of its frame */
+    float value;                           /* value: of the cause; frame: the number of its frame */
     int   frame;
     const char *scene, *only;              /* only: the name of the one caster that stays, at placed */
-    float placed[16], box[BOXES][6];       /* boxes with y1 > y0 are added */
+    float placed[16], box[BOXES][6];       /* placed: a matrix; boxes with y1 > y0 are added */
     float eye[3], target[3], up[3], fovy, znear, zfar;
-    /* scale of the whole scene; then the camera moves so many of the target's pixels to the right, this share of the
-       way to the target, rolls, and orbits the target, in degrees */
+    /* scale of the whole scene; then the camera moves: aside by so many of the target's pixels to the right, nearer by
+       this share of the way to the target, rolls, and orbits the target, in degrees */
     float scale, aside, nearer, roll, orbit;
     float shift[2];                        /* jitter of the projection, in pixels */
-    float radius, pixels;                  /* pixels: the radius in pixels at the target */
-    float where[6];                        /* bounds of the scored places, on axes with lower < upper */
+    float radius, pixels;                  /* of occlusion; pixels: as so many pixels at the target */
+    float where[6];                        /* bounds of the scored points, on axes with lower < upper */
     float sun[3], dimmed;                  /* direction to a sun in the sky, and the share of it that is taken away;
                                               without it light is white from everywhere */
     float went;                            /* how far the first box moved along x since the frame before */
     int   told;                            /* 1: with motion vectors */
-    int   format, width, height, stride, rays, within;   /* within: the truth of a sun is traced within the radius */
+    int   format, width, height, stride, rays, within;   /* within 1: a sun's truth is traced within the radius */
 } look;
 
 /* Kinds of figures: RMSE to the truth; RMSE to the same picture with exact depth; deviation over frames after
    reprojection, less the truth's; second difference over frames; that of light, over its mean, less an open surface's.
    With history: RMSE over that of the frame alone, the largest of a sequence; the same so many frames after CHANGED;
-   the same over all frames, at places that the frame before did not show; after CHANGED, the rest of the old picture,
-   and the share of pixels where it is more than 0.05. */
+   the same over all frames, at points that the frame before did not show; after CHANGED, how much of the old picture
+   remains, and the share of pixels where it is more than 0.05. */
 enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL, HELD };
 enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
-    const char *name, *title, *across, *about;     /* across: the value that varies, and its unit */
-    int kind, of, width, rays, log;        /* log: the axis is logarithmic */
+    const char *name, *title, *across, *about;     /* across: the value that varies, and its unit, for the axis */
+    int kind, of, width, rays, log;        /* log 1: the chart's axis across is logarithmic */
     void (*at)(look *l);
     double value[MOST_VALUES];             /* up to the first 0 after the first value */
-    int told, format;                      /* told: with motion vectors; format: of depth */
-    int (*curves)(result *r, kit_error *err);      /* instead of frames: sweeps the library's maths */
-    const char *number, *up;               /* the number's meaning, the chart's other axis; NULL: the kind's */
+    int told, format;                      /* told 1: with motion vectors; format: of depth */
+    int (*curves)(result *r, kit_error *err);      /* sweeps the library's CPU functions instead of frames */
+    const char *number, *up;               /* the meaning of a curve's number, and the axis up; NULL: the kind's */
     /* A sentence that the test group stability holds for the quick values ("": none), and bounds of curves' numbers:
        "label=least,most|...". Without a label they are of the reference beside the methods. */
     const char *holds, *bounds;
@@ -81,7 +81,7 @@ extern int sweeps_causes;
 #define SWEEPS_CAUSES "examples/lab/stability/causes.csv"
 int sweeps_load(kit_error *err);
 
-/* The look of a cause at a value, in one of its frames. */
+/* Returns the look of a cause at a value, in one of its frames. */
 look sweeps_look(const cause *c, double value, int frame);
 
 #endif
