@@ -1017,8 +1017,7 @@ typedef struct ssgi_gl_step {
 
     /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at a quarter for QUARTER,
        at an eighth for TILES */
-    int scale;         /* SSGI_GL_SCALE_FULL ..: the size that is drawn over the image's; width and height are in
-                          pixels */
+    int scale;         /* SSGI_GL_SCALE_FULL ..: the size of what is drawn, divided by the image's size */
     int width, height; /* [units: pixels] of the viewport */
 
     /* ---- its inputs and outputs */
@@ -3164,8 +3163,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- Points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]. Their lengths are distributed so that fewer of
-   them lie behind a far occluder, which attenuates it. */
+/* ---- Points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]. The points' distances are distributed so that
+   fewer points lie behind a farther occluder, so that it occludes less. */
 
 { "SSGI_KERNEL_TABLE", NULL, __LINE__ + 1,
     "#if !SSGI_UNIFORM_DIRECTIONS\n"
@@ -3238,8 +3237,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* With bounce PATCH a sample is divided by its pdf, the cosine. Without this lower bound of the cosine, one sample near
-   the horizon would be brighter than all others. */
+/* SSGI_GRAZING: with bounce PATCH a sample is divided by its pdf, the cosine. Without this lower bound of the cosine,
+   one sample near the horizon would be brighter than all others. */
 { "SSGI_GRAZING", NULL, __LINE__ + 1,
     "const float SSGI_GRAZING = 0.05; // Smaller cosines count as this one.\n" },
 
@@ -3276,8 +3275,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float occlusion = ssgi_point_occlusion(points, i, direction);\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM_DIRECTIONS\n"
-    "        // Before the weight, as all discs have one area.\n"
-    "        ssgi_add_bounce(sums, direction, points.basis, occlusion);\n"
+    "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // before the weight: discs have one area\n"
     "#endif\n"
     "#if SSGI_UNIFORM_DIRECTIONS\n"
     "        float weight = 2.0 * direction.z; // the cosine, times 2 pi steradians over its integral, pi\n"
@@ -3477,24 +3475,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_JOINED", NULL, __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // with thickness CONSTANT two taps join if their depths differ by fewer gaps\n" },
 
-/* The value suits environments. With .2 the bounce of ssdo has an error of .5418 on 28 scenes by seed at 1280x720, and
-   with .35 of .5048. With 0 (desc.light.one_sided) the error is .6614 on 14 scenes, and with .35 it is .5337 and less
-   in each of them. If a sun lights these scenes, both errors are equal. If a sun alone lights thin sheets, their hidden
-   sides are dark, and the bounce is up to 1.5 times too bright there. */
+/* SSGI_UNSEEN suits light of environments. With .2 the bounce of ssdo has an error of .5418 on 28 scenes by seed at
+   1280x720, and with .35 of .5048. With 0 (desc.light.one_sided) the error is .6614 on 14 scenes, and with .35 it is
+   .5337 and less in each of them. If a sun lights these scenes, both errors are equal. If a sun alone lights thin
+   sheets, their hidden sides are dark, and the bounce is up to 1.5 times too bright there. */
 { "SSGI_UNSEEN", NULL, __LINE__ + 1,
     "const float SSGI_UNSEEN = 0.35; // an emitter's hidden side sends this share of its radiance: measured\n" },
 
 { "SSGI_SECOND", NULL, __LINE__ + 1,
     "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface's radiance: measured\n" },
 
-/* The bound is a share of the distance. A packed normal is rounded. Without this bound the rounding lights a receiver
-   that lies in the emitter's own plane: single bright pixels appeared at thin walls. The bounce of ssdo with slabs, of
-   one slice of 16 samples, has an error of .5586 with .01, .5552 with .03 and .5640 with .1, on 28 scenes by seed at
-   1280x720. */
+/* SSGI_EDGE_ON is a share of the distance from the receiver to the emitter. A packed normal is rounded. Without this
+   bound the rounding lights a receiver that lies in the emitter's own plane: single bright pixels appeared at thin
+   walls. The bounce of ssdo with slabs, of one slice of 16 samples, has an error of .5586 with .01, .5552 with .03 and
+   .5640 with .1, on 28 scenes by seed at 1280x720. */
 { "SSGI_EDGE_ON", NULL, __LINE__ + 1,
     "const float SSGI_EDGE_ON = 0.03; // an emitter whose plane passes a receiver this closely sends it nothing\n" },
 
-/* With .04 hsao-best has an error of .3674, with .125 of .3672, with .5 of .3695, on the scenes of SSGI_STEEP. */
+/* SSGI_APART is measured: with .04 hsao-best has an error of .3674, with .125 of .3672, with .5 of .3695, on the scenes
+   of SSGI_STEEP. */
 { "SSGI_APART", NULL, __LINE__ + 1,
     "const float SSGI_APART = 0.125; // weight of the last tap's distance in that of an arc that is not joined\n" },
 
@@ -4678,8 +4677,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Writes a surfel's shell at a level, and returns a corner of its rectangle in the sub-buffer that turned.w picks
-   [DSS14 3.2]. If the surfel affects nothing at this level, all corners are equal. */
+/* Writes where a surfel affects pixels at a level (its shell), and returns a corner of its rectangle in the sub-buffer
+   that turned.w picks [DSS14 3.2]. If the surfel affects nothing at this level, all corners are equal. */
 { "ssgi_shell", NULL, __LINE__ + 1,
     "// position, squared radius; normal, weight; radiance, square of the distance at which the level begins\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
@@ -5055,8 +5054,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The filter's unit of distance from a plane. A 20th of the radius mixed grooves with their rims. A 100th took the
-   error of hsao on 56 scenes by seed at 1280x720 from .411 to .406. */
+/* SSGI_OFF is the filter's unit of distance from a plane. A 20th of the radius mixed grooves with their rims. A 100th
+   took the error of hsao on 56 scenes by seed at 1280x720 from .411 to .406. */
 { "SSGI_OFF", NULL, __LINE__ + 1,
     "const float SSGI_OFF = 0.01; // of the radius\n" },
 
@@ -5136,18 +5135,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* How fast weights fall with the distance from the plane, at full resolution. With 25 the error of hsao-best on 28
-   scenes by seed at 1280x720 is .3676, with 50 .3672, with 100 .3673. The weight is scaled and shifted so that it is 1
-   on the plane, and 0 at a distance of one unit or more. */
+/* SSGI_STEEP is how fast a neighbour's weight falls with its distance from the plane, at full resolution. With 25 the
+   error of hsao-best on 28 scenes by seed at 1280x720 is .3676, with 50 .3672, with 100 .3673. The weight is scaled and
+   shifted so that it is 1 on the plane, and 0 at a distance of one unit or more. */
 { "SSGI_STEEP", NULL, __LINE__ + 1,
     "const float SSGI_STEEP = 50.0; // how fast a neighbour's weight falls with its distance from the plane\n" },
 
 /* Below full resolution the weight is never 0, so that the neighbour closest to the plane decides if none lies on it.
-   This is the squared distance from the plane at which a neighbour has half of its weight. With .03 hsao-fast has an
-   error of .4508 on the scenes of SSGI_STEEP, with .1 of .4460, with .3 of .4451, but .3 mixes surfaces. The average
-   over frames removes noise, so that pass history divides the value by the number of frames. Over four moves by seed,
-   the first eight frames deviate by .0038 more than the ground truth's with .02 in each frame, by .0030 with .3 over
-   the number of frames, and by .0028 with .6 over that number. */
+   SSGI_HALF_HEIGHT is the squared distance from the plane at which a neighbour has half of its weight. With .03
+   hsao-fast has an error of .4508 on the scenes of SSGI_STEEP, with .1 of .4460, with .3 of .4451, but .3 mixes
+   surfaces. The average over frames removes noise, so that pass history divides the value by the number of frames. Over
+   four moves by seed, the first eight frames deviate by .0038 more than the ground truth's with .02 in each frame, by
+   .0030 with .3 over the number of frames, and by .0028 with .6 over that number. */
 { "SSGI_HALF_HEIGHT", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
     "const float SSGI_HALF_HEIGHT = 0.1; // a texel so far off the plane, squared, has half of its weight\n" },
 
@@ -5313,7 +5312,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The loops have short bodies, so that a GPU's compiler unrolls them, and computes a row's or a column's terms once. */
 { "ssgi_filter", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
-    "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) { // sums over pixel and the pixels around it\n"
+    "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) { // returns sums over pixel and those around it\n"
     "    int stride = ssgi_stride();\n"
     "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if !SSGI_RESOLUTION && SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
@@ -5345,7 +5344,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The average over frames is a filter, too: if a pixel has enough frames, the four texels next to it suffice. */
 { "ssgi_filter", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "// Sums over the texels next to pixel. If it has few frames, sums over the other texels around it, too.\n"
+    "// Returns sums over the texels next to pixel. If it has few frames, sums over the other texels around it, too.\n"
     "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) {\n"
     "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if !SSGI_RESOLUTION\n"
@@ -5893,7 +5892,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tested", NULL, __LINE__ + 1,
-    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 pixels of the tile; frames differ in which\n"
+    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 tested pixels of the tile; each frame tests others\n"
     "    return min(8 * ssgi_tile() + 2 * ivec2(nth & 3, nth >> 2) + ssgi_turn(0), u_ssgi_size - 1);\n"
     "}\n" },
 
