@@ -417,7 +417,8 @@ typedef enum ssgi_gl_objects {
 typedef enum ssgi_gl_effect {
     SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility: surfels within frame.radius occlude with a weight of 1 -
                                      distance/radius, or of 1 with falloff NONE */
-    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi minus the environment's light that surfels occlude */
+    SSGI_GL_EFFECT_LIGHT,         /* irradiance over pi by the environment: all of its light, less the light that
+                                     surfels occlude */
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
     SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. It has
                                      no slices for nearby surfaces, so that the defaults are too coarse: it wants
@@ -1056,7 +1057,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 /* A method: a chain with the name that README, tools and pages use. */
 typedef struct ssgi_gl_method {
     const char *name;     /* "hsao-history" */
-    const char *sentence; /* its use, and its needs beyond depth and normals */
+    const char *sentence; /* what the method is for, and its inputs except depth and normals */
     int pass, preset;     /* chain.desc.pass; SSGI_GL_PRESET_FAST .. */
     const char *settings; /* the settings that differ from the preset's, as ssgi_gl_chain_of takes them: "history=1" */
 } ssgi_gl_method;
@@ -3492,8 +3493,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_EDGE_ON", NULL, __LINE__ + 1,
     "const float SSGI_EDGE_ON = 0.03; // an emitter whose plane passes a receiver this closely sends it nothing\n" },
 
-/* SSGI_APART is measured: with .04 hsao-best has an error of .3674, with .125 of .3672, with .5 of .3695, on the scenes
-   of SSGI_STEEP. */
+/* SSGI_APART, a factor, is measured by the error of hsao-best. With .04 hsao-best has an error of .3674, with .125 of
+   .3672, with .5 of .3695, on the scenes of SSGI_STEEP. */
 { "SSGI_APART", NULL, __LINE__ + 1,
     "const float SSGI_APART = 0.125; // weight of the last tap's distance in that of an arc that is not joined\n" },
 
@@ -3965,6 +3966,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return fresh;\n"
     "}\n" },
 
+/* The arcs of the second slabs of two taps are not joined, as those of visible surfaces are (ssgi_cover). A second slab
+   counts as at least two gaps between taps deep, so that the slabs of neighbouring taps overlap. */
 { "ssgi_cover_second", "SSGI_THICKNESS == SSGI_THICKNESS_SLABS", __LINE__ + 1,
     "// Covers the sectors that the second slab behind a tap occludes. Returns how many were free, attenuated.\n"
     "float ssgi_cover_second(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap,\n"
@@ -5724,10 +5727,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    hsao-history from .3740 to .3888, and three times both to .3683 (on the scenes of SSGI_STEEP). The larger the number
    is, the later a change of light is noticed. */
 { "SSGI_EVEN", "!SSGI_RESOLUTION", __LINE__ + 1,
-    "const float SSGI_EVEN = 9.0; // neighbours of equal weight that the filter sees on a plane\n" },
+    "const float SSGI_EVEN = 9.0; // how many equal weights the filter's neighbours on a plane stand for\n" },
 
 { "SSGI_EVEN", "SSGI_RESOLUTION", __LINE__ + 1,
-    "const float SSGI_EVEN = 7.0; // neighbours of equal weight that the filter sees on a plane\n" },
+    "const float SSGI_EVEN = 7.0; // how many equal weights the filter's neighbours on a plane stand for\n" },
 
 /* The deviation of few neighbours is uncertain, so it is taken to be larger: the square of this share of the mean is
    added to their variance. Without it hsao-history has an error of .3932, and with twice as much of .3703 (on the
@@ -7542,7 +7545,8 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
     return t.hash;
 }
 
-/* Prints functions alone, for a fragment stage, and the constants, uniforms and samplers that they read. */
+/* Prints functions of the library for your own fragment shaders, and the constants, uniforms and samplers that they
+   read. */
 static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
 {
     ssgi_gl__program p;
