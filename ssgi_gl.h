@@ -625,8 +625,8 @@ typedef struct ssgi_gl_light_desc {
     /* coefficients */
     int bands;                 /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2
                                   coefficients; bent normals need 2 bands */
-    int packed_coefficients;   /* 0: up to four targets, of four floats each; 1: up to two RGBA32UI targets a set, of
-                                  eight 16-bit floats each */
+    int packed_coefficients;   /* coefficients stand 0: in up to four targets, of four floats each; 1: in up to two
+                                  RGBA32UI targets a set, of eight 16-bit floats each */
     ssgi_gl_transfer transfer; /* three sets must be packed. blur, history   REFLECTED: nothing is restored, since
                                   REFLECTED has no unoccluded light */
     int occluded_emitters;     /* s3ho with a transfer, of one layer   1: an emitter reflects the light that the last
@@ -3445,7 +3445,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_span; // view units: slices count fully up to half of this distance, and not at its end\n" },
 
 { "ssgi_near", NULL, __LINE__ + 1,
-    "float ssgi_near(float away) { // returns the weight of slices at a distance; surfels have the rest\n"
+    "float ssgi_near(float away) { // returns the weight of slices at a distance; 1 less it: of surfels\n"
     "    return clamp(2.0 - 2.0 * away / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
@@ -4115,7 +4115,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_SLICES; ++i) {\n"
     "        float phi = SSGI_PI * (float(i) + random.x) / float(SSGI_SLICES);\n"
     "#if SSGI_ENVIRONMENT\n"
-    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal); // computed for each slice: fewer registers\n"
+    "        // Computed anew for each slice, which takes fewer registers.\n"
+    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal);\n"
     "#endif\n"
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
     "        // The noise that rounds the sectors must not correlate with the turn or the offset.\n"
@@ -4150,7 +4151,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients coefficients = sums.bounce;\n"
     "#endif\n"
     "#if SSGI_TRANSFER == SSGI_TRANSFER_BOTH && SSGI_BANDS == 1\n"
-    "    // With one band lane y is unused. It keeps the reflected part apart, as that part gets no residual.\n"
+    "    // With one band lane y is free. It holds the reflected part alone, as that part gets no residual.\n"
     "    for (int channel = 0; channel < 3; ++channel)\n"
     "        coefficients.channel[channel].word0.y = coefficients.channel[channel].word0.x;\n"
     "#endif\n"
@@ -7065,7 +7066,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
     return NULL;
 }
 
-/* ---- linking: a kept line keeps the entries that it names */
+/* ---- linking: an entry of the library is kept if a line that is kept names it */
 /* A hash table with open addressing. It is never full: it holds names of entries, of rows and of a few functions of
    desc.shader.fetch, and the typedef below does not compile if entries and rows fill half of the slots. */
 enum { SSGI_GL__SLOTS = 1024 };
@@ -7478,7 +7479,8 @@ static void ssgi_gl__print_compute(ssgi_gl__text *t, const ssgi_gl_desc *d, cons
 
 static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage)
 {
-    static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by ssgi_gl_io.kind */
+    static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* words before declarations, by
+                                                                                     ssgi_gl_io.kind */
     const ssgi_gl_desc *d = &p->d;
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->shader.dialect];
     const char *version = d->shader.version ? d->shader.version : dialect->version;
