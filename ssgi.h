@@ -193,7 +193,8 @@ SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
       float bias = ssgi_shadow_bias(patch, 0.5f, 2.0f * patch, SSGI_BIAS_SAFE); // from 60 degrees off
       printf("lift %g, bias %g\n", lift, bias);   */
 
-/* The formulas take NaN and floats below 0 as 0, and floats above SSGI_FAR as SSGI_FAR. Their results are finite. */
+/* The functions of >>bias take NaN and floats below 0 as 0, and floats above SSGI_FAR as SSGI_FAR. Their results are
+   finite. */
 
 /* Returns the distance by which a receiver is lifted along its normal, so that depths of its own plane, fetched from
    the nearest texel, stay below it: z/(f res) [HSAO08 eq. 13]; for instance 0.00802 at z = 10 for 60 degrees, f =
@@ -1044,7 +1045,7 @@ typedef struct ssgi_calibration {
     int known;        /* 0: no calibration */
     float unoccluded; /* error of an image without any occlusion */
     float hsao;       /* error of slices, preset BALANCED, thickness WIDTH; for light: of visibility times the light */
-    float slabs;      /* error of such slices with thickness SLABS; 0: not known */
+    float slabs;      /* the same as hsao, but with thickness SLABS; 0: not known */
 } ssgi_calibration;
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
@@ -3381,7 +3382,8 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
-    p->alive = 0; /* the golden ratio chooses evenly along the order of indices, which mostly follows position */
+    p->alive = 0; /* thins out surfels: multiples of the golden ratio keep an even share along the mesh's order of
+                     indices */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
@@ -4195,7 +4197,7 @@ SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, c
                                 const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][4], ax = 0.0, ay = 0.0, az = 0.0; /* d: unit vectors and lengths */
-    for (int i = 0; i < SSGI__FIELD_FEW; ++i) { /* function calls here took an eighth of a bake's time */
+    for (int i = 0; i < SSGI__FIELD_FEW; ++i) { /* written out, as function calls took an eighth of a bake's time */
         const double x = m->few[i][0] - point[0], y = m->few[i][1] - point[1], z = m->few[i][2] - point[2],
                      length = sqrt(x * x + y * y + z * z), some = length > 0.0 ? length : 1.0;
         ax += d[i][0] = x / some;

@@ -417,7 +417,8 @@ typedef enum ssgi_gl_objects {
 typedef enum ssgi_gl_effect {
     SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility: surfels within frame.radius occlude with a weight of 1 -
                                      distance/radius, or of 1 with falloff NONE */
-    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi minus the environment's light that surfels occlude */
+    SSGI_GL_EFFECT_LIGHT,         /* irradiance over pi by the environment: all of its light, less the light that
+                                     surfels occlude */
     SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from the light that surfels send */
     SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised. It has
                                      no slices for nearby surfaces, so that the defaults are too coarse: it wants
@@ -624,8 +625,8 @@ typedef struct ssgi_gl_light_desc {
     /* coefficients */
     int bands;                 /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2
                                   coefficients; bent normals need 2 bands */
-    int packed_coefficients;   /* 0: up to four targets, of four floats each; 1: up to two RGBA32UI targets a set, of
-                                  eight 16-bit floats each */
+    int packed_coefficients;   /* coefficients stand 0: in up to four targets, of four floats each; 1: in up to two
+                                  RGBA32UI targets a set, of eight 16-bit floats each */
     ssgi_gl_transfer transfer; /* three sets must be packed. blur, history   REFLECTED: nothing is restored, since
                                   REFLECTED has no unoccluded light */
     int occluded_emitters;     /* s3ho with a transfer, of one layer   1: an emitter reflects the light that the last
@@ -1017,8 +1018,7 @@ typedef struct ssgi_gl_step {
 
     /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at a quarter for QUARTER,
        at an eighth for TILES */
-    int scale;         /* SSGI_GL_SCALE_FULL ..: the size that is drawn over the image's; width and height are in
-                          pixels */
+    int scale;         /* SSGI_GL_SCALE_FULL ..: the size of what is drawn, divided by the image's size */
     int width, height; /* [units: pixels] of the viewport */
 
     /* ---- its inputs and outputs */
@@ -1057,7 +1057,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 /* A method: a chain with the name that README, tools and pages use. */
 typedef struct ssgi_gl_method {
     const char *name;     /* "hsao-history" */
-    const char *sentence; /* its use, and its needs beyond depth and normals */
+    const char *sentence; /* what the method is for, and its inputs except depth and normals */
     int pass, preset;     /* chain.desc.pass; SSGI_GL_PRESET_FAST .. */
     const char *settings; /* the settings that differ from the preset's, as ssgi_gl_chain_of takes them: "history=1" */
 } ssgi_gl_method;
@@ -3164,8 +3164,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* ---- Points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]. Their lengths are distributed so that fewer of
-   them lie behind a far occluder, which attenuates it. */
+/* ---- Points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]. The points' distances are distributed so that
+   fewer points lie behind a farther occluder, so that it occludes less. */
 
 { "SSGI_KERNEL_TABLE", NULL, __LINE__ + 1,
     "#if !SSGI_UNIFORM_DIRECTIONS\n"
@@ -3238,8 +3238,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* With bounce PATCH a sample is divided by its pdf, the cosine. Without this lower bound of the cosine, one sample near
-   the horizon would be brighter than all others. */
+/* SSGI_GRAZING: with bounce PATCH a sample is divided by its pdf, the cosine. Without this lower bound of the cosine,
+   one sample near the horizon would be brighter than all others. */
 { "SSGI_GRAZING", NULL, __LINE__ + 1,
     "const float SSGI_GRAZING = 0.05; // Smaller cosines count as this one.\n" },
 
@@ -3276,8 +3276,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float occlusion = ssgi_point_occlusion(points, i, direction);\n"
     "#if SSGI_BOUNCE == SSGI_BOUNCE_PATCH && SSGI_UNIFORM_DIRECTIONS\n"
-    "        // Before the weight, as all discs have one area.\n"
-    "        ssgi_add_bounce(sums, direction, points.basis, occlusion);\n"
+    "        ssgi_add_bounce(sums, direction, points.basis, occlusion); // before the weight: discs have one area\n"
     "#endif\n"
     "#if SSGI_UNIFORM_DIRECTIONS\n"
     "        float weight = 2.0 * direction.z; // the cosine, times 2 pi steradians over its integral, pi\n"
@@ -3446,7 +3445,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_span; // view units: slices count fully up to half of this distance, and not at its end\n" },
 
 { "ssgi_near", NULL, __LINE__ + 1,
-    "float ssgi_near(float away) { // returns the weight of slices at a distance; surfels have the rest\n"
+    "float ssgi_near(float away) { // returns the weight of slices at a distance; 1 less it: of surfels\n"
     "    return clamp(2.0 - 2.0 * away / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 
@@ -3477,24 +3476,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_JOINED", NULL, __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // with thickness CONSTANT two taps join if their depths differ by fewer gaps\n" },
 
-/* The value suits environments. With .2 the bounce of ssdo has an error of .5418 on 28 scenes by seed at 1280x720, and
-   with .35 of .5048. With 0 (desc.light.one_sided) the error is .6614 on 14 scenes, and with .35 it is .5337 and less
-   in each of them. If a sun lights these scenes, both errors are equal. If a sun alone lights thin sheets, their hidden
-   sides are dark, and the bounce is up to 1.5 times too bright there. */
+/* SSGI_UNSEEN suits light of environments. With .2 the bounce of ssdo has an error of .5418 on 28 scenes by seed at
+   1280x720, and with .35 of .5048. With 0 (desc.light.one_sided) the error is .6614 on 14 scenes, and with .35 it is
+   .5337 and less in each of them. If a sun lights these scenes, both errors are equal. If a sun alone lights thin
+   sheets, their hidden sides are dark, and the bounce is up to 1.5 times too bright there. */
 { "SSGI_UNSEEN", NULL, __LINE__ + 1,
     "const float SSGI_UNSEEN = 0.35; // an emitter's hidden side sends this share of its radiance: measured\n" },
 
 { "SSGI_SECOND", NULL, __LINE__ + 1,
     "const float SSGI_SECOND = 0.5; // a second slab sends this share of the visible surface's radiance: measured\n" },
 
-/* The bound is a share of the distance. A packed normal is rounded. Without this bound the rounding lights a receiver
-   that lies in the emitter's own plane: single bright pixels appeared at thin walls. The bounce of ssdo with slabs, of
-   one slice of 16 samples, has an error of .5586 with .01, .5552 with .03 and .5640 with .1, on 28 scenes by seed at
-   1280x720. */
+/* SSGI_EDGE_ON is a share of the distance from the receiver to the emitter. A packed normal is rounded. Without this
+   bound the rounding lights a receiver that lies in the emitter's own plane: single bright pixels appeared at thin
+   walls. The bounce of ssdo with slabs, of one slice of 16 samples, has an error of .5586 with .01, .5552 with .03 and
+   .5640 with .1, on 28 scenes by seed at 1280x720. */
 { "SSGI_EDGE_ON", NULL, __LINE__ + 1,
     "const float SSGI_EDGE_ON = 0.03; // an emitter whose plane passes a receiver this closely sends it nothing\n" },
 
-/* With .04 hsao-best has an error of .3674, with .125 of .3672, with .5 of .3695, on the scenes of SSGI_STEEP. */
+/* SSGI_APART, a factor, is measured by the error of hsao-best. With .04 hsao-best has an error of .3674, with .125 of
+   .3672, with .5 of .3695, on the scenes of SSGI_STEEP. */
 { "SSGI_APART", NULL, __LINE__ + 1,
     "const float SSGI_APART = 0.125; // weight of the last tap's distance in that of an arc that is not joined\n" },
 
@@ -3966,6 +3966,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return fresh;\n"
     "}\n" },
 
+/* The arcs of the second slabs of two taps are not joined, as those of visible surfaces are (ssgi_cover). A second slab
+   counts as at least two gaps between taps deep, so that the slabs of neighbouring taps overlap. */
 { "ssgi_cover_second", "SSGI_THICKNESS == SSGI_THICKNESS_SLABS", __LINE__ + 1,
     "// Covers the sectors that the second slab behind a tap occludes. Returns how many were free, attenuated.\n"
     "float ssgi_cover_second(ssgi_slice slice, ssgi_side side, inout ssgi_walked walked, ssgi_tap tap,\n"
@@ -4113,7 +4115,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_SLICES; ++i) {\n"
     "        float phi = SSGI_PI * (float(i) + random.x) / float(SSGI_SLICES);\n"
     "#if SSGI_ENVIRONMENT\n"
-    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal); // computed for each slice: fewer registers\n"
+    "        // Computed anew for each slice, which takes fewer registers.\n"
+    "        ssgi_receiver receiver = ssgi_receiver_of(P, normal);\n"
     "#endif\n"
     "        vec2 turn = vec2(cos(phi), sin(phi));\n"
     "        // The noise that rounds the sectors must not correlate with the turn or the offset.\n"
@@ -4148,7 +4151,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients coefficients = sums.bounce;\n"
     "#endif\n"
     "#if SSGI_TRANSFER == SSGI_TRANSFER_BOTH && SSGI_BANDS == 1\n"
-    "    // With one band lane y is unused. It keeps the reflected part apart, as that part gets no residual.\n"
+    "    // With one band lane y is free. It holds the reflected part alone, as that part gets no residual.\n"
     "    for (int channel = 0; channel < 3; ++channel)\n"
     "        coefficients.channel[channel].word0.y = coefficients.channel[channel].word0.x;\n"
     "#endif\n"
@@ -4678,8 +4681,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* Writes a surfel's shell at a level, and returns a corner of its rectangle in the sub-buffer that turned.w picks
-   [DSS14 3.2]. If the surfel affects nothing at this level, all corners are equal. */
+/* Writes where a surfel affects pixels at a level (its shell), and returns a corner of its rectangle in the sub-buffer
+   that turned.w picks [DSS14 3.2]. If the surfel affects nothing at this level, all corners are equal. */
 { "ssgi_shell", NULL, __LINE__ + 1,
     "// position, squared radius; normal, weight; radiance, square of the distance at which the level begins\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
@@ -5055,8 +5058,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* The filter's unit of distance from a plane. A 20th of the radius mixed grooves with their rims. A 100th took the
-   error of hsao on 56 scenes by seed at 1280x720 from .411 to .406. */
+/* SSGI_OFF is the filter's unit of distance from a plane. A 20th of the radius mixed grooves with their rims. A 100th
+   took the error of hsao on 56 scenes by seed at 1280x720 from .411 to .406. */
 { "SSGI_OFF", NULL, __LINE__ + 1,
     "const float SSGI_OFF = 0.01; // of the radius\n" },
 
@@ -5136,18 +5139,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 
-/* How fast weights fall with the distance from the plane, at full resolution. With 25 the error of hsao-best on 28
-   scenes by seed at 1280x720 is .3676, with 50 .3672, with 100 .3673. The weight is scaled and shifted so that it is 1
-   on the plane, and 0 at a distance of one unit or more. */
+/* SSGI_STEEP is how fast a neighbour's weight falls with its distance from the plane, at full resolution. With 25 the
+   error of hsao-best on 28 scenes by seed at 1280x720 is .3676, with 50 .3672, with 100 .3673. The weight is scaled and
+   shifted so that it is 1 on the plane, and 0 at a distance of one unit or more. */
 { "SSGI_STEEP", NULL, __LINE__ + 1,
     "const float SSGI_STEEP = 50.0; // how fast a neighbour's weight falls with its distance from the plane\n" },
 
 /* Below full resolution the weight is never 0, so that the neighbour closest to the plane decides if none lies on it.
-   This is the squared distance from the plane at which a neighbour has half of its weight. With .03 hsao-fast has an
-   error of .4508 on the scenes of SSGI_STEEP, with .1 of .4460, with .3 of .4451, but .3 mixes surfaces. The average
-   over frames removes noise, so that pass history divides the value by the number of frames. Over four moves by seed,
-   the first eight frames deviate by .0038 more than the ground truth's with .02 in each frame, by .0030 with .3 over
-   the number of frames, and by .0028 with .6 over that number. */
+   SSGI_HALF_HEIGHT is the squared distance from the plane at which a neighbour has half of its weight. With .03
+   hsao-fast has an error of .4508 on the scenes of SSGI_STEEP, with .1 of .4460, with .3 of .4451, but .3 mixes
+   surfaces. The average over frames removes noise, so that pass history divides the value by the number of frames. Over
+   four moves by seed, the first eight frames deviate by .0038 more than the ground truth's with .02 in each frame, by
+   .0030 with .3 over the number of frames, and by .0028 with .6 over that number. */
 { "SSGI_HALF_HEIGHT", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
     "const float SSGI_HALF_HEIGHT = 0.1; // a texel so far off the plane, squared, has half of its weight\n" },
 
@@ -5313,7 +5316,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The loops have short bodies, so that a GPU's compiler unrolls them, and computes a row's or a column's terms once. */
 { "ssgi_filter", "SSGI_PASS != SSGI_PASS_HISTORY", __LINE__ + 1,
-    "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) { // sums over pixel and the pixels around it\n"
+    "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) { // returns sums over pixel and those around it\n"
     "    int stride = ssgi_stride();\n"
     "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if !SSGI_RESOLUTION && SSGI_QUANTITY == SSGI_QUANTITY_COEFFICIENTS\n"
@@ -5345,7 +5348,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* The average over frames is a filter, too: if a pixel has enough frames, the four texels next to it suffice. */
 { "ssgi_filter", "SSGI_PASS == SSGI_PASS_HISTORY", __LINE__ + 1,
-    "// Sums over the texels next to pixel. If it has few frames, sums over the other texels around it, too.\n"
+    "// Returns sums over the texels next to pixel. If it has few frames, sums over the other texels around it, too.\n"
     "ssgi_filtered ssgi_filter(ivec2 pixel, ssgi_blurred centre) {\n"
     "    ssgi_filtered filtered = ssgi_filtered_none();\n"
     "#if !SSGI_RESOLUTION\n"
@@ -5725,10 +5728,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    hsao-history from .3740 to .3888, and three times both to .3683 (on the scenes of SSGI_STEEP). The larger the number
    is, the later a change of light is noticed. */
 { "SSGI_EVEN", "!SSGI_RESOLUTION", __LINE__ + 1,
-    "const float SSGI_EVEN = 9.0; // neighbours of equal weight that the filter sees on a plane\n" },
+    "const float SSGI_EVEN = 9.0; // how many equal weights the filter's neighbours on a plane stand for\n" },
 
 { "SSGI_EVEN", "SSGI_RESOLUTION", __LINE__ + 1,
-    "const float SSGI_EVEN = 7.0; // neighbours of equal weight that the filter sees on a plane\n" },
+    "const float SSGI_EVEN = 7.0; // how many equal weights the filter's neighbours on a plane stand for\n" },
 
 /* The deviation of few neighbours is uncertain, so it is taken to be larger: the square of this share of the mean is
    added to their variance. Without it hsao-history has an error of .3932, and with twice as much of .3703 (on the
@@ -5893,7 +5896,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_tested", NULL, __LINE__ + 1,
-    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 pixels of the tile; frames differ in which\n"
+    "ivec2 ssgi_tested(int nth) { // returns the nth of 16 tested pixels of the tile; each frame tests others\n"
     "    return min(8 * ssgi_tile() + 2 * ivec2(nth & 3, nth >> 2) + ssgi_turn(0), u_ssgi_size - 1);\n"
     "}\n" },
 
@@ -7063,7 +7066,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
     return NULL;
 }
 
-/* ---- linking: a kept line keeps the entries that it names */
+/* ---- linking: an entry of the library is kept if a line that is kept names it */
 /* A hash table with open addressing. It is never full: it holds names of entries, of rows and of a few functions of
    desc.shader.fetch, and the typedef below does not compile if entries and rows fill half of the slots. */
 enum { SSGI_GL__SLOTS = 1024 };
@@ -7476,7 +7479,8 @@ static void ssgi_gl__print_compute(ssgi_gl__text *t, const ssgi_gl_desc *d, cons
 
 static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage)
 {
-    static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by ssgi_gl_io.kind */
+    static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* words before declarations, by
+                                                                                     ssgi_gl_io.kind */
     const ssgi_gl_desc *d = &p->d;
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->shader.dialect];
     const char *version = d->shader.version ? d->shader.version : dialect->version;
@@ -7543,7 +7547,8 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
     return t.hash;
 }
 
-/* Prints functions alone, for a fragment stage, and the constants, uniforms and samplers that they read. */
+/* Prints functions of the library for your own fragment shaders, and the constants, uniforms and samplers that they
+   read. */
 static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
 {
     ssgi_gl__program p;
