@@ -72,9 +72,9 @@ typedef struct stage {
     int          rays, between;                /* rays of the truth; between 1: occlusion is between objects */
     int          stride;                       /* of the truth (0 = 1); the pixels between count as not shown */
     kit_lighting lighting, traced;             /* lighting: for methods; traced: for the truth */
-    /* if lit: suns and point lights with their shadows, without the environment, */
+    /* if lit: runs of the suns and point lights with their shadows, without the environment, */
     kit_run      lights;
-    /* direct: the light that ambient visibility must not dim: that of lights, unless suns are local */
+    /* and the light that ambient visibility must not dim: of suns and point lights, unless suns are local */
     kit_image    direct;
     kit_image    places;                       /* edges, border, interior */
     /* unit: the picture whose error is 1: without light no AO, 1 everywhere; if lit, 0 everywhere */
