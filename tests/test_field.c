@@ -984,7 +984,7 @@ static void hulls(void)
                          distance = (double)cap_at(&f, point_at(NULL, exact, w)).hulls,
                          off = exact / (double)f.radius * fabs(1 / distance - 1);
             for (int n = 0; n < 3; ++n) x[n] = fabs(w[n]);
-            /* the two largest are near each other at an edge */
+            /* the two largest components are near each other at an edge of the cube */
             const double largest = fmax(x[0], fmax(x[1], x[2])),
                          next = fmax(fmin(x[0], x[1]), fmin(fmax(x[0], x[1]), x[2]));
             if (i && next > 0.9 * largest) creases = fmax(creases, off);

@@ -1105,7 +1105,7 @@ static void areas(void)
     static const double half[2][2] = { { 1, 0.5 }, { 1, 1 } };
     static ssgi_vpl light[4096];
     for (int count = 1; count <= 4096; count *= 4)
-        for (int halves = 0; halves < 1 + (count > 1); ++halves) {   /* 1: as two triangles of half the lights */
+        for (int halves = 0; halves < 1 + (count > 1); ++halves) {   /* 1: as two triangles, each of half the lights */
             const int each = halves ? count / 2 : count;
             double sum = 0;
             CHECK(ssgi_vpl_area(light, each, corner, a, b, halves, radiance, NULL) == SSGI_OK

@@ -24,7 +24,7 @@ enum { SEED_WIDTH = 1280, SEED_HEIGHT = 720, SEED_STRIDE = 11, SEED_RAYS = 1024 
 /* Settings may be tuned on seeds below this one. Seeds from it on are for reports alone. */
 enum { SEEDS_JUDGED = 1000 };
 #define ON_STRIDE(stride) ((stride) % LIT_STRIDE == 0 && (stride) / 2 % LIT_STRIDE == LIT_STRIDE / 2)
-/* A quick chart divides the width and the height of pictures by this, and the truth's rays by its square (at least
+/* stage_thrift divides the width and the height of a quick chart's pictures, and its square the truth's rays (at least
    LEAST_RAYS stay). It is 1 until it is set. */
 extern int stage_thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
