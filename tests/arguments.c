@@ -45,7 +45,7 @@ static ssgi_trace trace;
 static ssgi_plan_scene scene;
 static uint32_t texels[432], words[9];
 
-/* Room for outputs: the first output, and one half of the room behind it. */
+/* Room for outputs of calls: the first output, and one half of the room behind it. */
 enum { ROOM = 20000 };
 static double written[ROOM], untouched[ROOM];
 

@@ -474,7 +474,7 @@ static void random_chain(uint8_t bytes[CHAIN], uint32_t *state)
                                       SSGI_GL_PASS_SSDO,  SSGI_GL_PASS_S3HO, SSGI_GL_PASS_S3HO, SSGI_GL_PASS_AOF,
                                       SSGI_GL_PASS_DSS, SSGI_GL_PASS_DSS };
     for (size_t k = 0; k < 2 * FIELDS; ++k) bytes[k] = next(state) % 3 ? 0 : legal(k % FIELDS, state);
-    bytes[0] = passes[next(state) % sizeof passes];        /* pass is the first field */
+    bytes[0] = passes[next(state) % sizeof passes];        /* pass is the desc's first field */
     bytes[FIELDS] = next(state) % 2 ? SSGI_GL_PASS_LIGHTS : 0;
     for (size_t k = 2 * FIELDS; k < CHAIN; ++k) bytes[k] = next(state) % 2;
     for (size_t k = CHAIN - 2; k < CHAIN; ++k) bytes[k] = (uint8_t)next(state);

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* windows.h and the headers that it includes */
+/* macros of windows.h and of the headers that it includes */
 #define near
 #define far
 #define NEAR near
@@ -76,7 +76,7 @@
 #define Convex 2
 #define CurrentTime 0L
 
-/* Apple, Qt, POSIX, complex.h, Arduino */
+/* macros of Apple, Qt, POSIX, complex.h, Arduino */
 #define check(x)
 #define verify(x)
 #define require(x, label)
@@ -101,7 +101,7 @@
 #define _A 1
 #define _R 2
 
-/* words that an engine's own settings share with ours */
+/* macros by which engines name settings, with words that ours use */
 #define WIDTH 8
 #define HEIGHT 8
 #define SIZE 8

@@ -23,7 +23,7 @@ static inline int t_is(int ok) { return ok; }
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
-/* Notes a failure and returns 0. The message has the value that was found. Outside of a test it fails by itself */
+/* Notes a failure and returns 0. The message has the value that was found. Outside of a test the line is FAILED. */
 int  t_check(const char *file, int line, const char *format, ...);
 /* prints a figure below the test's line */
 void t_note(const char *format, ...);

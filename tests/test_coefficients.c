@@ -325,7 +325,7 @@ static void emitters_are_dimmed(void)
     for (int i = 4 * W * H; i < 7 * W * H; ++i) frame.data[i] = 0.8f;
     if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
     for (int m = 0; m < 2; ++m) {
-        float *vector[6];  /* pictures: fully open; no reflection; vectors of none, wall, back, both */
+        float *vector[6];  /* results: fully open; no reflection; vectors of none, wall, back, both */
         double worst = 0, sent = 0;
         kit_run run;
         for (int k = 0, pass; k < 6; ++k) {
@@ -404,7 +404,7 @@ static double lobe(double cosine, double cap, int bands, const float *window)
 static void lamps_light_what_faces_them(void)
 {
     enum { WIDTH = 17, HEIGHT = 9, MIDDLE_X = 8, MIDDLE_Y = 4 };
-    /* back: of 4 bands, behind a sun */
+    /* back: a light behind a sun, by 4 bands */
     static const double plane[1][4] = { { 0, 0, 1, -2 } }, angles[] = { 0, 40, 85, 120, 180 },
                         back[3] = { 0.0588235, 0, 0.0204082 };
     static const struct {
@@ -802,7 +802,7 @@ static void light_varies(void)
         const float *const is = kit_image_channel(&out[0], "irradiance.R"),
                     *const of_own = kit_image_channel(&out[1], "irradiance.R");
         for (int i = 0; i < 3 * W * H; ++i)
-            if (abs(i % W - W / 2) > 4)                    /* beside the edge, where the filter mixes both sides */
+            if (abs(i % W - W / 2) > 4)                    /* not near the edge, where the filter mixes both sides */
                 worst = fmax(worst, fabs((double)of_own[i] - (i % W * 2 + 1 > W ? 2 : 1) * (double)is[i]));
         SHOW(worst < 4e-5 && mean(&out[0], "irradiance.G") > 0.5, "%s %s: %.1e off", row[m].method, row[m].set, worst);
         for (int k = 0; k < 2; ++k) kit_image_free(&out[k]);

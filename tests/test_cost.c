@@ -224,7 +224,7 @@ static void texts_have_bodies(void)
     }
 }
 
-/* Checks a device with a million cycles a millisecond, and 128 lanes that execute 100 instructions for 1.28 million
+/* Checks the model by a device of a million cycles a millisecond, 128 lanes and 100 instructions for 1.28 million
    pixels. */
 static void model_by_hand(void)
 {

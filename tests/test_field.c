@@ -336,7 +336,7 @@ static void centres(void)
     }
     t_note("worst error of a centre: %.4f of the reference's", worst);
     const double truth[3] = { 0.3, -0.2, 0.4 };
-    for (int holes = 0; holes < 3; ++holes) {            /* 0: one known centre; 1: some directions unknown; 2: all */
+    for (int holes = 0; holes < 3; ++holes) {            /* unknown directions: 0: none; 1: some; 2: all */
         for (int i = 0; i < 32; ++i) {
             for (int k = 0; k < 3; ++k)
                 s.directions[3 * i + k] = holes == 2 || (holes && i % 3 == 0) ? 0 : truth[k] - s.radii[i] * s.w[k];
@@ -433,7 +433,8 @@ static void backwards(void *user, int count, void (*job)(void *context, int i), 
     while (count) job(context, --count);
 }
 
-/* Bakes a field into one of four places. Work memory is not aligned and ends right at its size. Default: threads. */
+/* Room for four baked fields, one of which baked() fills. Its work memory is not aligned and ends right at its size. It
+   uses threads unless the desc has its own. */
 static uint32_t place[4][6 * 66 * 66 * 2 + 1];
 
 static ssgi_field baked(int at, const ssgi_field_desc *desc, const kit_mesh *m)
@@ -983,7 +984,7 @@ static void hulls(void)
                          distance = (double)cap_at(&f, point_at(NULL, exact, w)).hulls,
                          off = exact / (double)f.radius * fabs(1 / distance - 1);
             for (int n = 0; n < 3; ++n) x[n] = fabs(w[n]);
-            /* the two largest are near each other at an edge */
+            /* the two largest components are near each other at an edge of the cube */
             const double largest = fmax(x[0], fmax(x[1], x[2])),
                          next = fmax(fmin(x[0], x[1]), fmin(fmax(x[0], x[1]), x[2]));
             if (i && next > 0.9 * largest) creases = fmax(creases, off);

@@ -403,7 +403,7 @@ static void hostile_history(void)
             kit_run_update(&run);
             kit_run_draw(&run, 0);
             for (unsigned f = 1; f <= last; ++f) {
-                GLuint copy[3] = { 0 }, was[3] = { 0 }, *at[3] = { NULL };     /* grey methods have no means */
+                GLuint copy[3] = { 0 }, was[3] = { 0 }, *at[3] = { NULL };     /* textures; grey methods lack means */
                 kit_image out;
                 TRY(kit_run_follow(&run, &run, 200 - last + f, &err));         /* the last frames have one noise */
                 if (f >= BEFORE && f < BEFORE + poison[i].frames) {

@@ -107,7 +107,7 @@ static void furnace(void)
         if (!set_scene(&s, row[i].scene, NULL, NULL, NULL, SMALL_W, SMALL_H)
             || !begin(&run, &s.g, row[i].method, row[i].set, s.scene.radius, &s.scene, &l))
             return;
-        /* the projected picture would have a few 1e-6 in higher bands */
+        /* sets exact harmonics: those of the projected picture would have a few 1e-6 in higher bands */
         ssgi_gl_harmonics_set(&run.frame, uniform, 1, NULL, NULL);
         if (!shine(&run) || !drawn(&out, &run)) return;
         const float *light = kit_image_channel(&out, "irradiance.G"), *bounce = kit_image_channel(&out, "bounce.G");
@@ -198,8 +198,8 @@ static int corner(kit_gbuffer *g, double c, int wall)
 
 /* Checks the dark share of a white sky, and the light of the wall, before an endless wall and before slabs. Few samples
    miss an expected share of the free directions, as an occluder between two samples lies, on the mean, between their
-   distances. Areas of patches suit uniform directions. Ours, at midpoints of strata, miss some light near the horizon:
-   1/sqrt(N) a third. */
+   distances. The paper's areas of patches suit uniform directions. Our midpoints of strata miss some light near the
+   horizon: 1/sqrt(N) a third. */
 static void corners_are_closed_forms(void)
 {
 #define POINTS "bounce=none,directions=64,thickness=solid,"

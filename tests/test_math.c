@@ -98,7 +98,7 @@ static void views(void)
             continue;
         CHECK(view.orthographic == l.ortho && view.clear == nothing[0] && view.width == 1920 && view.height == 1080,
               "%s: orthographic %d, clear %g", l.name, view.orthographic, (double)view.clear);
-        /* Rows that run down are those of the matrix with a negated second row. */
+        /* Checks that rows which run down are those of the matrix with a negated second row. */
         ssgi_view down, turned;
         memset(&down, 0, sizeof down);
         memset(&turned, 1, sizeof turned);
@@ -107,7 +107,7 @@ static void views(void)
         ssgi_view_from_projection(&turned, m, l.clip, 1920, 1080, NULL);
         for (int k = 1; k < 16; k += 4) m[k] = -m[k];
         CHECK(!memcmp(&down, &turned, sizeof down), "%s: rows that run down", l.name);
-        for (size_t k = 0; k < 3; ++k) {                 /* by the matrix in double, with window depth as a float */
+        for (size_t k = 0; k < 3; ++k) {                 /* in double, by the matrix; window depth as a float */
             const double z = depths[k], w = (double)m[11] * -z + (double)m[15],
                          deep = ((double)m[10] * -z + (double)m[14]) / w;
             const float window = (float)fmin(fmax(l.clip == SSGI_CLIP_GL ? 0.5 * deep + 0.5 : deep, 0), 1);
@@ -207,7 +207,7 @@ static void engines_views(void)
 static void extra_camera_at(int t)
 {
     float z[3], main_view[16], view[16], mirrored[16], clip[16], centre[3], offset[3], p[3], up[3], pixel[3];
-    /* nearer than 1/sin 50 = 1.305 radii the angle is limited */
+    /* nearer than 1/sin 50 = 1.305 radii the camera's angle is limited */
     const float radius = expf(t_uniform(-3, 3)), far_away = t % 3 ? t_uniform(1.35f, 6) : t_uniform(0.05f, 1.3f);
     const float reach = far_away * radius, within = 1e-4f * (reach + radius + 10);
     const char *why = "";
@@ -264,7 +264,7 @@ static void extra_camera_at(int t)
                   && (double)pixel[2] > near_plane * 0.999 && (double)pixel[2] < far_plane * 1.001,
               "extreme point %d at %g %g, depth %g", i, (double)pixel[0], (double)pixel[1], (double)pixel[2]);
     }
-    /* where the right edge of the view touches the sphere */
+    /* where the right edge of the camera's view touches the sphere */
     const float touch[3] = { radius * sqrtf(1 - 1 / (far_away * far_away)), 0, -(far_away - 1 / far_away) * radius };
     ssgi_view_project(pixel, &v, touch);
     CHECK(fabsf(pixel[0] - 1000) < 0.1f, "the sphere's outline at %g, not at the edge", (double)pixel[0]);
@@ -272,7 +272,7 @@ static void extra_camera_at(int t)
 
 static void extra_cameras(void)
 {
-    /* the eye is at (0,0,2), two radii away */
+    /* the main camera's eye is at (0,0,2), two radii away */
     const float main_view[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 }, origin[3] = { 0, 0, 0 },
                 onto[3] = { 0, 0, -2 }, above[3] = { 0, 2, -2 };
     static const double angles[4][2] = { { -60, 20 }, { 60, 20 }, { 0, 75 }, { 180, 50 } };      /* to the side, up */
@@ -418,7 +418,7 @@ static void evenness(void)
     for (int n = 16; n <= 128; n *= n < 64 ? 4 : 2) {
         double mean = 0, worst = 0, random = 0;
         ssgi_kernel(k, SETS, n, NULL);
-        for (int set = 0; set < SETS; ++set) {           /* back to the square: azimuth and u */
+        for (int set = 0; set < SETS; ++set) {           /* maps directions back to the square: azimuth and u */
             for (int i = 0; i < n; ++i) {
                 const float *o = k + 4 * (set * n + i);
                 const double a = atan2((double)o[1], (double)o[0]) / (2 * PI);
@@ -551,7 +551,7 @@ static void projections(void)
         const int face = i / (CUBE * CUBE), at = i % (CUBE * CUBE);
         const float s = ((float)(at % CUBE) * 2 + 1) / CUBE - 1, t = ((float)(at / CUBE) * 2 + 1) / CUBE - 1,
                     l = sqrtf(1 + s * s + t * t);
-        /* OpenGL 4.6 table 8.19, solved for the direction */
+        /* OpenGL 4.6 table 8.19 of cube map faces, solved for the direction */
         const float table[6][3] = { { 1, -t, -s }, { -1, -t, s }, { s, 1, t },
                                     { s, -1, -t }, { s, -t, 1 },  { -s, -t, -1 } };
         const float p[3] = { table[face][0] / l, table[face][1] / l, table[face][2] / l };
@@ -768,7 +768,7 @@ static void environment_maps(void)
     float d[3], given[27];
     for (size_t k = 0; k < sizeof angles / sizeof angles[0]; ++k) {
         const double kappa = 4 * PI / fmax((double)angles[k], 0.05), mean_cosine = 1 / tanh(kappa) - 1 / kappa;
-        /* the lobe's factor of each band */
+        /* the factor of the lobe in each band */
         const double lobe[3] = { 1, k ? mean_cosine : 2.0 / 3, k ? 1 - 3 * mean_cosine / kappa : 0.25 };
         double worst = 0, mean = 0, all = 0;
         for (int s = 0; s < 4; ++s) {
@@ -948,7 +948,7 @@ static void white_sky(void)
         cut(suns, COUNT, rgb, width, HEIGHT);
         for (size_t z = 0; z < sizeof zone / sizeof *zone; ++z)
             for (int k = 0; k < 2 * zone[z].around; ++k) {
-                /* the integral of a region's directions: level, up */
+                /* the integral of the directions of a region, (level, up), on which its light lies */
                 const double turn = 2 * PI / zone[z].around, longitude = (k / 2 + 0.5) * turn,
                              a = acos(zone[z].top), b = acos(zone[z].bottom),
                              flat = (b - a - 0.5 * (sin(2 * b) - sin(2 * a))) * sin(turn / 2),
@@ -1105,7 +1105,7 @@ static void areas(void)
     static const double half[2][2] = { { 1, 0.5 }, { 1, 1 } };
     static ssgi_vpl light[4096];
     for (int count = 1; count <= 4096; count *= 4)
-        for (int halves = 0; halves < 1 + (count > 1); ++halves) {   /* 1: as two triangles of half the lights */
+        for (int halves = 0; halves < 1 + (count > 1); ++halves) {   /* 1: as two triangles, each of half the lights */
             const int each = halves ? count / 2 : count;
             double sum = 0;
             CHECK(ssgi_vpl_area(light, each, corner, a, b, halves, radiance, NULL) == SSGI_OK
@@ -1154,7 +1154,7 @@ static void biases(void)
     CHECK(fabs(offset - 10 / (sqrt(3) * 720)) < 1e-8 && fabs(offset - 0.00802) < 2e-6
               && ssgi_normal_offset(&v, 3) == ssgi_pixel_footprint(&v, 3) / 2,
           "eq. 13: %.9g", offset);
-    for (float z = 0.2f; z < 1e4f; z *= 3)     /* [HSAO08 eq. 13]: z / (f res), on the axis of wider pixels */
+    for (float z = 0.2f; z < 1e4f; z *= 3)     /* of the axis with wider pixels: z / (f res) [HSAO08 eq. 13] */
         for (int ortho = 0; ortho < 2; ++ortho) {
             ssgi_view other;
             ssgi_view_from_projection(&other, wide[ortho], SSGI_CLIP_GL, 1000, 500, NULL);
@@ -1174,7 +1174,7 @@ static void biases(void)
             CHECK(ssgi_shadow_bias(patch, c, 1e-3f, kind) == (want > 1e-3 ? 1e-3f : (float)got), "not cut to the most");
         }
     }
-    /* a plane across one texel, with the middle's depth: how far its nearest corner is before that */
+    /* a plane across one texel, with the depth of its middle: how far its nearest corner is before that depth */
     for (int azimuth = 0; azimuth <= 90; azimuth += 15)
         for (int alpha = 15; alpha < 90; alpha += 15) {
             const double a = azimuth * PI / 180, rise = 0.5 * tan(alpha * PI / 180) * (cos(a) + sin(a));
@@ -1277,7 +1277,7 @@ static void reflections(void)
             CHECK(lit >= v && lit <= 1 && (!k || lit >= ssgi_interreflected(v, (float)(k - 1) / STEPS))
                       && (v < 1 || lit >= 1) && (v > 0 || !(lit > 0)),
                   "visibility %g, albedo %g: %g", (double)v, (double)a, (double)lit);
-            /* the visibility of an open lobe; of a lobe whose bent normal leans away, and toward it */
+            /* the visibility of a lobe that is open; whose bent normal leans away, and toward it */
             CHECK(ssgi_specular_visibility(1, a, a, v) >= 1 && gloss >= 0 && gloss <= 1
                       && ssgi_specular_visibility(v, 0.7f, 0.7f, a) >= gloss
                       && ssgi_specular_visibility(v, 0.9f, 0.7f, a) >= ssgi_specular_visibility(v, 0.7f, 0.7f, a),

@@ -180,7 +180,7 @@ static void put_card(const char *mode, const char *transform, double turns, int 
     put_glb("card.glb", json, &b);
 }
 
-static int leaf(int x, int y) { return (0x137f >> (4 * y + x) & 1) != 0; } /* 10 of 16, unlike any mirror image */
+static int leaf(int x, int y) { return (0x137f >> (4 * y + x) & 1) != 0; } /* 10 texels of 16, like no mirror image */
 
 /* Returns how many triangles, which face along z, cover a point. */
 static int covers(const kit_mesh *m, double x, double y)

@@ -242,7 +242,7 @@ static void ball_on_a_plane(void)
         if (z > 0) kit_camera_point(&g.camera, i % W, i / W, (double)z, p);
         const double rho2 = z > 0 ? (double)(p[0] * p[0] + p[2] * p[2]) : 0, dark = 1 - (double)closed.data[i];
         if (!(z > 0) || p[1] > 1e-3f) own += closed.data[i] < 1;
-        else if (rho2 < 25) {              /* beyond the measured part occlusion follows the ramp */
+        else if (rho2 < 25) {              /* farther away, occlusion is that of the ramp */
             off = fmax(off, fabs(dark - pow(1 + rho2, -1.5)));
             sum += dark;
             ++plane;

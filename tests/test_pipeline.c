@@ -11,7 +11,7 @@
 static const double pi = 3.14159265358979;
 static kit_error err;
 
-/* 33 samples: Mesa unrolls loops of up to 32, and then takes long to compile them. */
+/* 33 samples, not 32: Mesa unrolls loops of up to 32 samples, and then takes long to compile them. */
 static const struct {
     const char *method, *set;
 } methods[] = { { "ssao", "directions=33" },
@@ -63,7 +63,7 @@ static double exact_march(double c, int steps, int hard, int spheres)
         for (int i = 1; i <= steps; ++i) {
             const double d = (double)i / steps, along = d * sqrt(1 - H * H);
             if (along * x <= c) continue;
-            /* where the eye's ray meets the face */
+            /* (up, along): where the eye's ray meets the wall's face */
             const double up = d * H + (along * x - c), l = sqrt(c * c + along * along * y * y + up * up),
                          ahead = c * x + along * y * y, rise = up / sqrt(up * up + ahead * ahead);
             if (l >= 1 || (spheres && l >= (i + 1.0) / steps) || ahead <= 0 || rise <= H) continue;

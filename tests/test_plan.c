@@ -146,13 +146,13 @@ static void by_hand(void)
     } row[] = {
         /* hsao 0.83 */
         { &dim, SSGI_PLAN_METHOD_HSAO, 0, 2, 0, 0, 0.00091104336, 4.64 },
-        /* nothing 0.002, hsao 0.8, coarse 0.01, constant 0.2; a quarter of 250 texels, 0.2 surfels */
+        /* terms: nothing 0.002, hsao 0.8, coarse 0.01, constant 0.2; cost: a quarter of 250 texels, 0.2 surfels */
         { &hidden, SSGI_PLAN_METHOD_DSS, 1, 2, 0, 0.03f, 0.045934736, 17.4525 },
-        /* nothing 0.025, hsao 0.78, coarse 0.037, constant 0.93; a sixteenth of the texels */
+        /* terms: nothing 0.025, hsao 0.78, coarse 0.037, constant 0.93; cost: a sixteenth of the texels */
         { &hidden, SSGI_PLAN_METHOD_DSS, 3, 2, 0, 0.03f, 0.052649786, 8.243125 },
         /* nothing 0.008, hsao 0.59 */
         { &lit, SSGI_PLAN_METHOD_SSDO, 1, 2, 0, 0, 0.0039433488, 2.41 },
-        /* nothing 0.23, hsao 0.048, uneven 0.027 */
+        /* terms: nothing 0.23, hsao 0.048, uneven 0.027 */
         { &bounced, SSGI_PLAN_METHOD_S3HO, 1, 2, 4, 0, 0.0051865210, 4.44 },
     };
     for (size_t k = 0; k < sizeof row / sizeof row[0]; ++k) {
@@ -172,9 +172,10 @@ static void by_hand(void)
         }
         CHECK(met == 1, "row %zu: %d choices are meant", k, met);
     }
-    /* Depth passes, the cover of fields, the other column. Without a calibration the survey predicts it: 1e-6 + 1.25 *
-       0.1^2 + 0.0169 * 0.03^2 of nothing with slabs, 1e-6 + 1.2 * 0.1^2 + 0.148 * 0.02^2 without. A calibration without
-       slabs scales the prediction for slabs, which is the survey's or a guess of 0.003, the same as hsao's. */
+    /* Depth passes, the cover of fields, the other column of costs. Without a calibration the survey predicts it: 1e-6
+       + 1.25 * 0.1^2 + 0.0169 * 0.03^2 of nothing with slabs, 1e-6 + 1.2 * 0.1^2 + 0.148 * 0.02^2 without. A
+       calibration without slabs scales the prediction for slabs, which is the survey's or a guess of 0.003, the same as
+       hsao's. */
     static const float passes[4] = { 0, 0, 1, 3 }, slabs[2] = { 0, 0.03f };
     ssgi_plan_scene s = {
         .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .occluders = 10, .coverage = 0.5f, .map = 1

@@ -1,5 +1,5 @@
-/* test_read.c - ssgi_gl_read: shaders that light a surface read the results of gathers and filters. They get the filter
-   pass's value if the depth buffer shows their surface, and their own share of it if not. */
+/* test_read.c - ssgi_gl_read: shaders that light a surface read the results of gathers and filters. Such a shader gets
+   the filter pass's value if the depth buffer shows its surface, and the surface's own share of it if not. */
 #include "kit/kit_run.h"
 #include "frames.h"
 #include <math.h>
@@ -128,7 +128,7 @@ static void as_the_filter(void)
                 differ += !(off < 0.002);
                 worst = fmax(worst, off);
             }
-        /* differences are where no texel shows the surface, which is more often at quarter resolution */
+        /* pixels differ where no texel shows the surface, which is more often at quarter resolution */
         SHOW(seen > W * H / 2 && differ <= seen / (strstr(s->set, "quarter") ? 100 : 1000),
              "%s %s: of %d pixels %d are not the filter's, by %.4f", s->method, s->set, seen, differ, worst);
         kit_run_close(&run);
@@ -144,7 +144,7 @@ static const float planes[2][4] = { { 0.3f, 0.2f, 0.9327379f, -5.5f }, { -0.2f, 
 static const float visibility[2] = { 0.9f, 0.2f };
 /* A card so steep that a third of a pixel aside is several footprints nearer. */
 static const float steep[4] = { -0.95f, 0.2f, 0.2397916f, -3 };
-/* the card's corners in NDC, turned so that each edge crosses pixels */
+/* the card's corners in NDC, turned so that each of its edges crosses pixels */
 static const float corner[4][2] = { { -0.31f, -0.52f }, { 0.55f, -0.33f }, { -0.48f, 0.27f }, { 0.38f, 0.46f } };
 
 static int inside_card(double x, double y) /* x, y: NDC */

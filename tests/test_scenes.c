@@ -104,7 +104,7 @@ static int profile_seen(kit_gbuffer *g, const profile *p)
     return ok ? at : 0;
 }
 
-/* The share of the directions that are free beyond the picture in which slices expect occluders, at most. */
+/* Beyond the picture slices expect occluders, in at most this share of the directions that are free there. */
 static const double expected_beyond = 0.4;
 
 static void bars_cover_what_they_cover(void)
@@ -353,7 +353,7 @@ typedef struct space { double fovy, near; int planes; double plane[5][4]; } spac
 static double walled(const space *s, const double at[3], const double n[3], double aspect, double radius, int falls)
 {
     enum { N = 64 };
-    const double up = tan(s->fovy * pi / 360), u[3] = { n[2], n[0], n[1] };      /* n's axes permuted: n is an axis */
+    const double up = tan(s->fovy * pi / 360), u[3] = { n[2], n[0], n[1] };      /* u: n with its axes permuted */
     const double v[3] = { n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0] };
     double sum = 0;
     for (int i = 0; i < N * N; ++i) {

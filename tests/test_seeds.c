@@ -258,7 +258,7 @@ static void differences(void)
               "%s: like itself %g, %g across, %g, %g down, %g from patch to patch", cases[k].name, c.across[0],
               c.across[1], c.down[0], c.down[1], c.patches);
     }
-    /* Of the halves 25 columns are compared: 16 and 9, which differ from the mean by 18/25 and -32/25. */
+    /* Leaves 25 columns: 16 of value 1 and 9 of value -1, which differ from their mean by 18/25 and -32/25. */
     for (int i = 0; i < pixels; ++i) {
         mask[i] = i % ACROSS_DIFFERS < 25;
         kit_image_channel(&a, "A")[i] = mask[i] > 0 ? (float)halves(i % ACROSS_DIFFERS, 0) : NAN;

@@ -766,7 +766,7 @@ static void formats(void)
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
         const ssgi_gl_format *const last = step[n > 0 ? n - 1 : 0].output[0].format;
         CHECK(n > 0, "%s: %s", chains[i], why);
-        if (!strcmp(last->name, "R8")) { /* R8, or RGBA8 for this output alone */
+        if (!strcmp(last->name, "R8")) { /* R8: of this output alone also RGBA8 */
             chain.rgba8 = 1;
             ssgi_gl_steps(step, STEPS, &chain, &why);
             CHECK(step[n - 1].output[0].format->internal == GL_RGBA8 && (n < 2 || step[0].output[0].format->bytes != 4
@@ -803,7 +803,7 @@ static void results(void)
         { "o_ssgi_light", 3, "pass=SSDO,environment=SH,blur=1" },
         /* of light that no filter writes: composed onto the picture */
         { "o_ssgi_picture", 3, "pass=SSDO,environment=MAP,onto=AMBIENT" },
-        /* of virtual point lights, added to the bounce */
+        /* of the light of virtual point lights, added to the bounce */
         { "o_ssgi_light", 6, "pass=SSDO,environment=MAP,bounce=SOLID_ANGLE,vpls=1,direct=1,lights" },
         { "o_ssgi_picture", 10, "pass=DSS,span=4,levels=2,onto=AMBIENT" },
         { "o_ssgi_ao", 1, "pass=AOF,objects=TEXTURE" },
@@ -841,7 +841,7 @@ static void results(void)
     }
 }
 
-/* Checks SSGI_GL_STEPS, with one camera and one layer of depth: each part of a chain on and off, in each preset. */
+/* Checks how many steps chains with one camera and one layer of depth have: each part on and off, in each preset. */
 static void room_for_steps(void)
 {
     enum { ENVIRONMENT = 1, BOUNCE = 2, LIGHTS = 4, HISTORY = 8, ONTO = 16, A = 32, B = 64, C = 128, ALL = 256 };
@@ -921,7 +921,7 @@ static ssgi_gl_chain any_chain(void)
         const int value = (int)t_below(2);
         memcpy((char *)&chain + c->offset, &value, sizeof value);
     }
-    chain.surfels = 0; /* They go into a buffer, which this test has not. */
+    chain.surfels = 0; /* surfels go into a buffer, which this test has not */
     return chain;
 }
 

@@ -145,7 +145,7 @@ static void areas(void)
         free(s);
     }
     CHECK(worst < 1e-6, "areas are off by %.2g", worst);
-    /* a square of 1 x 1 in so many triangles, whose areas vary */
+    /* meshes of a square of 1 x 1 in so many triangles, whose areas vary */
     for (int m = 0; m < 2; ++m) {
         const ssgi_surfel_desc d = { .size = 0.012f, .keep_small = 0 };
         ssgi_view view;
@@ -301,7 +301,7 @@ static void odd_triangles(void)
         CHECK((n > 0) == k, "most %g: %zu surfels", (double)d.max_distance, n);
     }
     d.max_distance = 0;
-    /* matrices mirrored and sheared: with the triangle's own normals, with given ones */
+    /* mirrored and sheared matrices: with the triangle's own normals, with given ones */
     for (int k = 0; k < 2; ++k) {
         ssgi_surfel_source source = source_of(p, 1);
         size_t n = 0;
@@ -839,7 +839,7 @@ static void every_level(deep *d, double size)
 static void three_ways(void)
 {
     static const char *const ways[] = { "cpu", "capture", "direct" };
-    /* normals are not unit; if one is 0, a surfel has its triangle's normal */
+    /* normals are not of unit length; if one is 0, a surfel has its triangle's normal */
     static const struct { const char *scene, *set; int orthographic, every; float normals; } row[] = {
         { "boxes", "size=0.04,overhang=centroid", 0, 0, 0 },
         { "pebbles", "size=0.04,overhang=incentre", 1, 0, 0.1f },
@@ -975,8 +975,8 @@ static double brought(const deep *d, const splatted *of, const ssgi_surfel *s, i
     return (double)form_factor(&wide, p, n) * fade * (of->enlarge ? 1 : 1 << 2 * l);
 }
 
-/* How far SSGI_GL_PASS_DSS, _DEINTERLEAVE and _SUM are off that sum over all surfels, at every step-th pixel of a
-   picture; most: the largest sum. A pixel without a surface is 1. */
+/* Differences between pictures of SSGI_GL_PASS_DSS, _DEINTERLEAVE and _SUM and that sum over all surfels, at every
+   step-th pixel; most: the largest sum. A pixel without a surface is 1. */
 typedef struct offset { double worst, most, rmse, bias, dark; int off, pixels; } offset;
 
 static offset compared(const deep *d, const kit_image *out, const splatted *of, int step)

@@ -114,7 +114,7 @@ static ssgi_gl_desc drawn(int t)
     return d;
 }
 
-/* Bits of whether some variant of the shape has both of two values of fields, after these are resolved. */
+/* A table of pairs of values: 1 if some variant of the shape has both, after its fields are resolved. */
 enum { VALUES = 16 };
 static char together[VALUES * SSGI_GL__FIELDS][VALUES * SSGI_GL__FIELDS];
 
@@ -452,7 +452,7 @@ static void same_bytes(void)
                                          "fr_FR.utf8",  "nl_NL.UTF-8", "it_IT.UTF-8" };
     const char *with = NULL;
     ssgi_gl_desc a = { .shader.version = "#version 330 core\n", .shader.fetch = T_FETCH },
-                 b = a; /* ssao's shader holds the kernel's numbers, and so is long */
+                 b = a; /* ssao's shader has decimals: the kernel's */
     char version[] = "#version 330 core\n", fetch[] = T_FETCH;
     b.shader.version = version;
     b.shader.fetch = fetch;
@@ -1028,7 +1028,7 @@ static void sentences(void)
         }
 }
 
-/* GLES promises 4 images in a compute stage. */
+/* Checks that a compute stage has at most 4 images, which is all that GLES promises. */
 static void images_of_gles(void)
 {
     const int dialects[] = { SSGI_GL_DIALECT_310ES, SSGI_GL_DIALECT_320ES };
@@ -1047,7 +1047,7 @@ static void images_of_gles(void)
     CHECK(most == 4, "the most images are %d", most);
 }
 
-/* Refusals and defaults of a frame. */
+/* Checks the refusals and the defaults of a frame. */
 static void frames(void)
 {
     static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 },

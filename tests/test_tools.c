@@ -155,7 +155,7 @@ static void manifest(void)
     works("python3 manifest.py");
 }
 
-/* A thousand cameras: projection, width, height, SSGI_CLIP_ZERO, _ROWS_DOWN, radius, then the frame of it. */
+/* Writes a thousand cameras: projection, width, height, SSGI_CLIP_ZERO, _ROWS_DOWN, radius, then the frame of it. */
 static void write_cameras(FILE *f)
 {
     for (int made = 0; made < 1000;) {
@@ -187,7 +187,7 @@ static void write_cameras(FILE *f)
     }
 }
 
-/* A program that knows the manifest alone makes the frames of ssgi_gl_frame_init. */
+/* Checks that a program that knows the manifest alone makes the frames of ssgi_gl_frame_init. */
 static void manifest_of_cameras(void)
 {
     static const char *const check =
@@ -229,7 +229,7 @@ static void manifest_of_cameras(void)
     works("python3 cameras.py");
 }
 
-/* A step with a compute stage has no other; its group and its images are those of its text. */
+/* Checks that a step with a compute stage has no other; its group and images are those of its shader. */
 static void manifest_of_compute(void)
 {
     static const char *const check =
@@ -253,7 +253,7 @@ static void manifest_of_compute(void)
     works("python3 compute.py");
 }
 
-/* A chain in a user's words, and mistakes in one. */
+/* Checks a chain in a user's words, and mistakes in one. */
 static void own_chain(void)
 {
     static const refusal wrong[] = {
@@ -1136,7 +1136,7 @@ static void what_is_printed(void)
 static void bench_rows(const char *csv, double copied)
 {
     static const char *const passes[] = { "frame", "thickness", "hsao", "blur" };
-    double v[4][6], sum = 0; /* of each row: passes, ms, two quartiles, bytes, ms of traffic */
+    double v[4][6], sum = 0; /* a row's count, ms, two quartiles, bytes, ms of traffic */
     for (int i = 0; i < 4; ++i) {
         char begins[80];
         snprintf(begins, sizeof begins, "\nhsao-best,\"\",64,36,%s,", passes[i]);

@@ -470,7 +470,7 @@ static double corner_light(const kit_image *env, int floor_, double distance)
     return sum / acos(-1);
 }
 
-/* street: lamps, each with a ray; windows: none as bright. bounce 1: all rays are random. */
+/* environments: street has lamps, each with a ray; windows has none as bright. bounce 1: all rays are random. */
 static void lit_corner(void)
 {
     static const struct { const char *env; int rays, bounce; double noise;

@@ -94,12 +94,12 @@ static void cameras(void)
                        && ssgi_gl_light_map(&light, &view, 7, 9, picture, other, &why) == SSGI_OK,
                    "%s", why))
             return;
-        /* from the other camera's space to the world, and to the picture's camera */
+        /* matrices from the other camera's space to the world, and to the picture's camera */
         for (int k = 0; k < 3; ++k)
             for (int c = 0; c < 3; ++c) at[k] += (double)other[4 * k + c] * (p[c] - (double)other[12 + c]);
         for (int k = 0; k < 3; ++k) q[k] = product_of(picture, k, at, &lost);
         ssgi_view_project(seen, &view, spot);
-        /* with a near plane behind the eye, the shaders' space begins a pixel's width in front of that plane */
+        /* the shaders' space begins a pixel's width in front of a near plane behind the eye */
         const double begins = starts < 0 ? (double)starts - (double)ssgi_pixel_footprint(&view, 1) : 0;
         for (int k = 0; k < 3; ++k) at[k] = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]) - (k == 2 ? begins : 0);
         for (int k = 0; k < 6; ++k) {                      /* there, and back */
@@ -430,7 +430,7 @@ static void twin_views(void)
         if (!probe(&d, &frame, "o = vec4(ssgi_window_depth(a.x), ssgi_position(a.yz, a.w));")) break;
         for (int i = 0; i < MANY; ++i) {
             const double depth = (double)ssgi_view_depth(&view, in[i][0]), scale = ortho ? 1 : (double)in[i][3];
-            /* the rounding of the sum's terms */
+            /* lost: the rounding of the terms of the depth's sum */
             const double lost = 1.2e-7 * (fabs((double)view.depth[0]) + fabs((double)view.depth[1]));
             float p[3];
             ssgi_view_position(p, &view, in[i][1], in[i][2], in[i][3]);
@@ -527,7 +527,7 @@ static int probe_both(const char *pack, const char *read)
     return probe(&reads, &frame, read);
 }
 
-/* Errors follow the format: 9 9 9 bits and an exponent of 5; 6 bits of exponent and 14; two of 6. */
+/* Checks emitters as packed: errors follow the formats, 9 9 9 bits and an exponent of 5; 6 and 14 bits; 6 twice. */
 static void twin_emitters(void)
 {
     static float rgbz[MANY][4], way[MANY][4];
@@ -727,7 +727,7 @@ static void twin_halves(void)
 
 /* ---- >>terms: functions of numbers, a row each, GLSL against the formula of its comment -------------------------- */
 
-/* Kinds of inputs of a row, and of the wanted result. */
+/* Kinds of the inputs of a row of the table of terms, and of the wanted result. */
 typedef enum numbers {
     AMBIENT, SECOND_LAYER, WAY, WIDTH, SHORT_WIDTH, SHORT, LIT, GLOSS, ARC, SECTORS, SLAB, KERNEL, OCTAHEDRAL, DISC
 } numbers;
@@ -797,19 +797,19 @@ static void want(double *o, const term *t, const double *a, int i)
     case GLOSS:
         o[0] = o[1] = o[2] = (double)ssgi_specular_visibility(f[0], 2 * f[1] - 1, 2 * f[2] - 1, f[3]);
         break;
-    case ARC:                      /* on both sides; the polynomial's error grows with the sine */
+    case ARC:                      /* an arc on both sides; the polynomial's error grows with the sine */
         o[0] = arc(atan2(a[1], a[0]), a[2]) / (fabs(sin(a[2])) + 0.003);
         o[1] = arc(atan2(a[1], -a[0]), -a[2]) / (fabs(sin(a[2])) + 0.003);
         break;
-    case SECTORS:                  /* from one to the other; from 0 to the other, twice */
+    case SECTORS:                  /* sectors from one end to the other; from 0 to the other, twice */
         o[1] = o[2] = floor(fmin(fmax(a[0], a[1]), 32));
         o[0] = o[1] - floor(fmin(fmin(a[0], a[1]), 32));
         break;
-    case SLAB:                     /* measured, from a gap to the radius; of sheets, the thickness */
+    case SLAB:                     /* a slab from a gap to the radius; of sheets, the thickness */
         o[0] = (i & 3) == 1 ? fmax(fmin(a[1] - a[0], 0.5), a[2]) : fmax(0.3, a[2]);
         o[1] = 0.2;
         break;
-    case KERNEL:                   /* from its first number on or from its last */
+    case KERNEL:                   /* from the kernel's first number on or from its last */
         ssgi_directions(kernel, t->by, 1, 64, NULL);
         for (int c = 0; c < 3; ++c) o[c] = (double)kernel[4 * (int)a[0] + (i & 1 ? 3 - c : c)];
         break;
@@ -820,7 +820,7 @@ static void want(double *o, const term *t, const double *a, int i)
     case DISC: {                   /* over the whole disc's: middles of rings of equal area, whose sum telescopes */
         const double h = a[0], rr = a[1], half = 0.5 * rr / t->by,
                      several = h / rr * (1 / (h * h + half) - 1 / (h * h + rr + half));
-        o[0] = h * h < 16 * rr ? several * h * (h * h + rr) : 1;   /* beyond four radii only its centre */
+        o[0] = h * h < 16 * rr ? several * h * (h * h + rr) : 1;   /* beyond four radii only the disc's centre counts */
     }
     }
 }
@@ -918,7 +918,7 @@ static double expected(double found, double open, int steps, double edge)
    the radius, or at the span if there is one. */
 static void slices_limits(void)
 {
-    /* degrees; sine of the elevation; 1: beyond the normal */
+    /* tilt of the plane in degrees; sine of the sample's elevation; beyond 1: behind the normal */
     static const struct { double tilt, height; int beyond, counts, span;
     } row[] = { { 80, 0.39, 1, 0, 0 },   { 80, 0.41, 1, 1, 0 },   { 80, 0.2, 1, 0, 0 }, { 60, 0.9, 1, 1, 0 },
                 { 80, 0.0039, 0, 0, 0 }, { 30, 0.0041, 0, 1, 0 }, { 60, 0.3, 0, 1, 0 }, { 20, 0.7, 0, 1, 0 },
@@ -936,7 +936,7 @@ static void slices_limits(void)
         }
         in[CENTRE][0] = (float)sin(tilt);
         in[CENTRE][1] = (float)cos(tilt);
-        /* the square of this, times the radius or the span, is 4.3 pixels. Sectors are rounded up, but for 1e-5 */
+        /* this depth squared, times the radius or the span, is 4.3 pixels. Sectors are rounded up, but for 1e-5 */
         in[CENTRE][2] = row[k].span ? 0.414937f : 0.276624f;
         d.surfel.span = row[k].span;
         if (!probe_map(&d, &frame, "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel));"
@@ -1220,7 +1220,7 @@ static void light_points(float depth, float scale, int flat_, double before)
    must stay lit as long as rounding alone may explain the difference. */
 static void shadow_slack(void)
 {
-    /* of a far point; of a deep map: 3e-7 of the scale, times depth squared if 1/z is stored, and 2e-5 of the depth */
+    /* slack of a far point; of a deep map: 3e-7 of scale, times depth squared if 1/z is stored, and 2e-5 of depth */
     static const struct { float depth, scale; int flat; double slack; } row[] = {
         { 1000, 1, 1, 0.0200003 }, { 1, 1000, 1, 3.2e-4 }, { 10, 10, 0, 5e-4 }, { 1, 500, 0, 1.7e-4 } };
     const ssgi_gl_desc d = desc_of("lights", "shadow=map");
@@ -1258,7 +1258,7 @@ static void shadow_bias(void)
                  depth, width, sqrt(1 - c * c), c, c);
         if (!probe_map(&d, &frame, statements)) return;
         for (int i = 0; i < SIDE; ++i) lit += out[i][0] < 0.5f;
-        /* with a slack of a fiftieth of a texel */
+        /* expects the bias with a slack of a fiftieth of a texel */
         CHECK(fabs(lit - 0.5 - 32 * (1 + 0.02 * (double)patch / bias)) <= 1.5, "cosine %g, %s: lit for %g of the bias",
               c, flat_ ? "a sun" : "a spot", lit / 32.0);
     }
@@ -1341,7 +1341,7 @@ static void smooth_weights(void)
                 CHECK(fabs(is - want) < 1e-6, "axis %d, level %d, %d away: %g, not %g", axis, l, k, is, want);
             }
     }
-    /* beside it, at 0.7 of the largest difference that counts: of its weight of a half 0.3 is left */
+    /* a texel beside it, at 0.7 of the largest difference that counts: of its weight of a half 0.3 is left */
     depth[CENTRE - 1] -= 0.7f * 2 * ssgi_pixel_footprint(&view, 5);
     d.surfel.axis = 0;
     if (!pass_drawn(got, 0, 1, SIDE, LEVELS * SIDE, &d, &frame, t, 3)) return;
@@ -1485,7 +1485,7 @@ static void twin_spheres(void)
             for (int c = 0; c < 4; ++c) got[c] = fminf(fmaxf(out[i][c], 0), c & 1 ? 480 : 640);
             if (is) for (int c = 0; c < 4; ++c) NEAR(got[c], b[c], 0.02, "ssgi_sphere");
             else CHECK(got[2] - got[0] < 0.02f || got[3] - got[1] < 0.02f, "a sphere that is not seen is drawn");
-            if (in[i][3] - in[i][2] < frame.near_depth)    /* no width would be a texel if it is rounded outwards */
+            if (in[i][3] - in[i][2] < frame.near_depth)    /* no width is a texel if it is rounded outwards */
                 for (int c = 0; c < 4; ++c) NEAR(out[i][c], 0, 0, "ssgi_sphere before the near depth");
             cut += is && -in[i][2] - in[i][3] < frame.near_depth;
             empty += !is;
@@ -1725,7 +1725,7 @@ static void history_follows(void)
             if ((x + 1) % (SIDE / 2) < 2 || (y + 1) % SIDE < 2) continue;          /* other neighbours */
             const double h = even ? 0 : (i + y) & 1 ? -0.1 : 0.1, n = (double)means[i][1],
                          most = n < 1 ? 1 : fmin(n + 1, 16), value = 0.5 + h * (most < 4.5 ? 1 / 9.0 : -3 / 5.0);
-            /* of nine texels; of five, which are few: and a tenth of the value */
+            /* expected deviation: of nine texels; of five texels, which are few, also a tenth of the value */
             const double deviation = most < 4.5 ? fabs(h) * sqrt(10 / 9.0) : 1.2 * sqrt(h * h + 0.01 * value * value),
                          jump = 0.7 * deviation + 0.02 * value, drift = 0.2 * deviation + 0.005 * value;
             double quick = value + ((double)means[i][0] - value) * (1 - 1 / fmin(most, 3)),

@@ -1,7 +1,7 @@
 # viewer_bad.sh - a part of viewer.sh: inputs that the viewer refuses, limits of time, and sanitizers. Uses its check
 # and $work.
 
-refused() {    # WORDS ARGUMENT ..: status 2, one line with the words, no picture
+refused() {    # WORDS ARGUMENT ..: the viewer ends with status 2, one line with these words, no picture
     words=$1
     shift
     rm -f $work/none.png

@@ -154,7 +154,7 @@ static int measure_all(trial *t, kit_error *err)
 
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
 
-/* Statistics of column i's errors, less column from's (unless below 0), on seeds of a kind (below 0: of all). */
+/* Returns statistics of column i's errors, less column from's (unless below 0), by kind of seeds (below 0: all). */
 static spread errors_of(const trial *t, int i, int from, int kind)
 {
     double value[MOST_SEEDS];

@@ -5,7 +5,7 @@
 
 #include "lab/measure/bands.h"
 
-/* How noise is measured. smooth: the pixels of a smooth surface in shade; pair: two truths with other noise. */
+/* Where noise is measured. smooth: the pixels of a smooth surface in shade; pair: two truths with other noise. */
 typedef struct mottled { shaded smooth; kit_image pair; } mottled;
 /* Finds the smooth pixels, traces the truths. Call it between stage_look and stage_compare: all pixels count. */
 int  mottled_open(mottled *m, const stage *s, kit_error *err);

@@ -14,8 +14,8 @@ static const double planned_errors[4][PLANNED_ERRORS] = { { 0.015, 0.02, 0.03, 0
                                              { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
                                              { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
                                              { 0.01, 0.015, 0.02, 0.03, 0.05, 0.08 } };
-/* Of how many plans each verdict is true, and of how many it might be. GOOD: at most 1.2 times the error asked for, at
-   most 1.25 times the cost of the cheapest choice that meets it. TOLD: the plan says if no choice meets it. */
+/* Verdicts on plans: each counts the plans for which it is true or might be. GOOD: at most 1.2 times the error asked
+   for, at most 1.25 times the cost of the cheapest choice that meets it. TOLD: the plan says if no choice meets it. */
 enum { GOOD, GOOD_NEEDED, WITHIN, TOLD, VERDICTS };
 static const char *const verdict_names[VERDICTS] = { "", ", where doing nothing would not do",
                                                      ", within 1.2 of the error alone",

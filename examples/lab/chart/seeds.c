@@ -235,7 +235,7 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
 
 /* ---- >>ahead ----------------------------------------------------------------------------------------------------- */
 
-/* What seeds_ahead gives each process, which keeps its results as units of the chart. */
+/* The options and rows of one process that seeds_ahead starts. unseen: a part of the page that is never shown. */
 typedef struct ahead_of { const options *o; row *rows; page unseen; } ahead_of;
 
 static int begin(void *of, kit_error *err)

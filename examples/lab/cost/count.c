@@ -348,7 +348,7 @@ typedef struct walk {
     char *endless;                          /* 1 for a loop whose end is unknown, by its first instruction */
     char *met;                              /* 1 for a branch with an unknown condition that is counted */
     long left;                              /* instructions after which the walk fails as endless */
-    int again;                              /* a loop's end is unknown: the walk starts again */
+    int again;                              /* 1: a loop's end turned out unknown: the walk starts again */
 } walk;
 
 static void count_one(counts *c, const instruction *t)

@@ -2,7 +2,7 @@
 #ifndef COST_COUNT_H
 #define COST_COUNT_H
 
-/* What one lane executes. vector includes transcendental; fetches include wide_fetches, of over 8 bytes. */
+/* Counts of instructions of one lane. vector includes transcendental; fetches include wide_fetches, of over 8 bytes. */
 typedef struct counts {
     double vector, transcendental, scalar_loads, fetches, wide_fetches, scalar;
 } counts;

@@ -82,7 +82,7 @@ static kit_pass *pass_of(kit_run *run, const body *b, GLuint *program, kit_error
 
 /* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
-/* What one scene gave for a body, by tile. half, steps: settings of the pass. */
+/* The shares and waves of a body on one scene, by tile. half, steps: settings of the pass. */
 typedef struct found { double share[TILES], waves[TILES]; int half, steps; } found;
 static found results[DRAWN][2][SEEDS];
 

@@ -8,7 +8,7 @@
 
 enum { WORKERS = 8 };
 
-/* Measures the scenes whose numbers it reads from a pipe until that is empty; writes each to the other pipe. */
+/* Reads scenes' numbers from a pipe until it is empty. Measures each and writes its number to the other pipe. */
 static void work(const ahead *a, int numbers_in, int done_out)
 {
     kit_error err;

@@ -26,8 +26,7 @@ typedef struct peer_pass {
 } peer_pass;
 typedef struct peer { char label[64], settings[128]; peer_pass pass[PEER_PASSES]; int passes, result; } peer;
 typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
-/* What the effects of one view share. folder: of the script's files. whole: the frame, also the pixels without a
-   truth. */
+/* A set of other libraries' effects for one view. folder: of the script's files. whole: the frame, truth or not. */
 typedef struct peer_set {
     peer         peer[MOST_PEERS];
     peer_texture texture[PEER_TEXTURES];

@@ -4,7 +4,7 @@
 
 #include "kit/kit_gl.h"
 
-/* Opens a run of a method with settings on a G-buffer. */
+/* Opens a run: a method with settings, which draws a G-buffer's frame. */
 int picture_run(kit_run *run, kit_gbuffer *g, const kit_world *world, const char *method, const char *set, float radius,
                 kit_error *err);
 /* Opens a run of a method with settings, draws once, reads the picture and closes the run. */

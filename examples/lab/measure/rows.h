@@ -5,7 +5,7 @@
 #include "kit/kit.h"
 
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
-#define WITH_COUNT(table) table, COUNT(table)      /* for two members of a struct, or two arguments */
+#define WITH_COUNT(table) table, COUNT(table)      /* a table and its length, for two members or arguments */
 
 /* The groups of columns that a row has, as bits of its member of. */
 enum {
@@ -33,8 +33,7 @@ enum {
    error of hue in degrees, everywhere and in shade; the bounce's noise. */
 enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT_BOUNCE, SPLITS };
 
-/* How many noise bands there are (lab/measure/bands.h), and how many fits of a peer's gain and exponent
-   (lab/measure/peers.h). */
+/* Sizes of tables: noise bands (lab/measure/bands.h); gains and exponents of a peer's fits (lab/measure/peers.h). */
 enum { NOISE_BANDS = 4, FIT_GAINS = 9, FIT_EXPONENTS = 9, FITS = 2 * FIT_GAINS * FIT_EXPONENTS };
 
 /* Indices of figure. Fields: the bake; a picture's error; the occluders' reach as a share of the picture, each counted;

@@ -24,7 +24,7 @@ enum { SEED_WIDTH = 1280, SEED_HEIGHT = 720, SEED_STRIDE = 11, SEED_RAYS = 1024 
 /* Settings may be tuned on seeds below this one. Seeds from it on are for reports alone. */
 enum { SEEDS_JUDGED = 1000 };
 #define ON_STRIDE(stride) ((stride) % LIT_STRIDE == 0 && (stride) / 2 % LIT_STRIDE == LIT_STRIDE / 2)
-/* A quick chart divides the width and the height of pictures by this, and the truth's rays by its square (at least
+/* stage_thrift divides the width and the height of a quick chart's pictures, and its square the truth's rays (at least
    LEAST_RAYS stay). It is 1 until it is set. */
 extern int stage_thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
@@ -72,9 +72,9 @@ typedef struct stage {
     int          rays, between;                /* rays of the truth; between 1: occlusion is between objects */
     int          stride;                       /* of the truth (0 = 1); the pixels between count as not shown */
     kit_lighting lighting, traced;             /* lighting: for methods; traced: for the truth */
-    /* if lit: suns and point lights with their shadows, without the environment, */
+    /* if lit: runs of the suns and point lights with their shadows, without the environment, */
     kit_run      lights;
-    /* direct: the light that ambient visibility must not dim: that of lights, unless suns are local */
+    /* and the light that ambient visibility must not dim: of suns and point lights, unless suns are local */
     kit_image    direct;
     kit_image    places;                       /* edges, border, interior */
     /* unit: the picture whose error is 1: without light no AO, 1 everywhere; if lit, 0 everywhere */

@@ -19,7 +19,7 @@
 enum { MOST_QUIET = 48, GPU_ROUNDS = 25, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32, WALKED = 20 };
 enum { NOISE, ALL, TRUTH, KINDS };
 
-/* A row of the chart. ms: on the GPU that draws, or modelled for DEVICE at 1920x1080; NAN: not known. */
+/* A measured entry. ms: on the GPU that draws, or modelled for DEVICE at 1920x1080; NAN: not known. */
 typedef struct line { char method[64], settings[256], label[336]; double ms; bands of[KINDS]; } line;
 
 typedef struct quiet {

@@ -188,7 +188,7 @@ static int stands(const struct kind *kind)
     return !(fabsf(kind->aside) + fabsf(kind->nearer) + fabsf(kind->roll) + fabsf(kind->orbit) > 0);
 }
 
-/* Skips pairs. Turned noise is meant for TAA, tried with a standing camera. "place" makes a difference with jitter. */
+/* Returns 1 for pairs that mean nothing: turned noise is for TAA by a standing camera, "place" only for jitter. */
 static int skipped(const char *method, const struct kind *kind)
 {
     return (told(&method, "turned ") && !stands(kind)) || (told(&method, "place ") && kind->how != JITTERS);

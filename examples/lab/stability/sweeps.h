@@ -53,10 +53,10 @@ typedef struct look {
 } look;
 
 /* Kinds of figures: RMSE to the truth; RMSE to the same picture with exact depth; deviation over frames after
-   reprojection, less the truth's; second difference over frames; that of light, over its mean, less an open surface's.
-   With history: RMSE over that of the frame alone, the largest of a sequence; the same so many frames after CHANGED;
-   the same over all frames, at points that the frame before did not show; after CHANGED, how much of the old picture
-   remains, and the share of pixels where it is more than 0.05. */
+   reprojection, less the truth's; second difference over frames; second difference of light, over its mean, less an
+   open surface's. With history: RMSE over that of the frame alone, the largest of a sequence; the same so many frames
+   after CHANGED; the same over all frames, at points that the frame before did not show; after CHANGED, how much of the
+   old picture remains, and the share of pixels where it is more than 0.05. */
 enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL, HELD };
 enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
