@@ -551,7 +551,7 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
 /* >>tessellate in use (compiled and run by tests/test_build.c)
 
       double area = 2.0;                                               // of a triangle, to be tiled by discs
-      int level = ssgi_tess_level(area, 0.1), points = ssgi_tess_count(level);
+      int level = ssgi_tess_level(area, 0.1), points = ssgi_tess_count(level);  // 0.1: the discs' radius
       float *uvw = (float *)malloc(sizeof *uvw * 3 * (size_t)points);  // their places in it
       if (ssgi_tess_points(uvw, level, &why) != SSGI_OK) puts(why);
       printf("level %d: %d discs of radius %g\n", level, points, ssgi_tess_radius(area, points));   */
@@ -2762,8 +2762,8 @@ SSGI__FN void ssgi__trace_box_set(ssgi__trace_node *node, int k, const ssgi__tra
     }
 }
 
-/* Makes a node of a range, with all below it, and returns its number. The widest child is split until there are
-   eight, or until each child fits into a leaf. */
+/* Makes a node of a range, with all below it, and returns its number. The child whose box has the largest area is split
+   until there are eight, or until each child fits into a leaf. */
 SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
 {
     ssgi__trace_range range[SSGI__TRACE_WIDE];
@@ -3602,7 +3602,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
                 disc = (x * z - r * r * n[2] * m + r * sqrt(root > 0.0 ? root : 0.0)) / ((z - deep) * (z + deep));
                 facing = z - deep > begin ? m + disc * n[2] : 0.0;
             }
-            /* if the tangent touches the other half, the bound is that of the disc */
+            /* if the sphere's tangent touches the half that does not count, the bound is that of the disc */
             if (facing < 0.0 && disc < e) e = disc;
             e = side * e * (double)view->project[axis] + (double)view->project[2 + axis];
             out[axis + 2 * high] = (float)(e < 0.0 ? 0.0 : e > size[axis] ? size[axis] : e);

@@ -619,8 +619,8 @@ typedef struct ssgi_gl_light_desc {
                                         Costs 13 instructions of pass emitters */
     ssgi_gl_shadow shadow;           /* lights, surfels, dss */
     ssgi_gl_restore restore;         /* ssdo, s3ho shaded, shade, history, blur   with any value but NONE o_ssgi_light
-                                        is not light until blur or history has drawn with this desc and filter.quantity
-                                        LIGHT. A bounce alone is not restored */
+                                        is that ratio or difference until blur or history has drawn with this desc and
+                                        filter.quantity LIGHT. A bounce alone is not restored */
 
     /* coefficients */
     int bands;                 /* s3ho, shade, blur; ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2

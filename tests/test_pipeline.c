@@ -51,8 +51,8 @@ static int fit(kit_run *run, kit_gbuffer *g, float radius)
 
 /* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
-/* Returns the march's exact occlusion over a floor along x, up to an endless wall's face at c, seen from 45 degrees
-   above, with radius 1 [HSAO08 fig. 4]: along tangents at evenly spread azimuths, as in corner_converges. */
+/* Returns the march's exact occlusion at a point of a floor at distance c from an endless wall, whose face is seen from
+   45 degrees above, with radius 1 [HSAO08 fig. 4]: along tangents at evenly spread azimuths, as in corner_converges. */
 static double exact_march(double c, int steps, int hard, int spheres)
 {
     enum { AZIMUTHS = 512 };

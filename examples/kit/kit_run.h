@@ -102,7 +102,7 @@ int       kit_add_environment(kit_making *m);
 ssgi_result kit_environment_of(float *out, int size, const float *rgb, const kit_image *env, float solid_angle,
                                float cosine, const char **why);
 float    *kit_rgba(float *four, const float *map, int size);    /* copies size * size texels of three floats to four */
-void      kit_add_grey(kit_making *m);                 /* makes an albedo texture for meshes without a material */
+void      kit_add_grey(kit_making *m);                 /* makes an albedo texture, 0.8, for a frame that has none */
 
 /* ---- >>lit, occluders, deep: a method's passes, and their inputs from the world */
 

@@ -115,7 +115,7 @@ static void surfels_free(surfels *s)
     free(s->rows);
 }
 
-/* Adds the environment, the lights and their shadow maps for lit methods. */
+/* Adds the environment, the lights and their shadow maps that light the surfels. For methods with light only. */
 static int light_surfels(kit_making *m, surfels *s, const float picture[16])
 {
     const kit_image *env = &m->world->lighting->env;

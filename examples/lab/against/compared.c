@@ -1,4 +1,4 @@
-/* compared.c - compares pictures value by value, and their difference with itself. Declared in compared.h. */
+/* compared.c - compares pictures value by value; the autocorrelation of their difference. Declared in compared.h. */
 #include "lab/against/compared.h"
 #include <math.h>
 #include <stdlib.h>

@@ -64,8 +64,8 @@ function opaque(name, value, length, from) {
     return value instanceof Uint8Array && value.length === length ? value : fail(`${name}: must be what ${from} gave`);
 }
 
-/* ssgi.wasm as a module or bytes, from any source: compiled while it arrives, or its bytes if the server gives it
-   another type. */
+/* Returns ssgi.wasm from a URL: the bytes of a file: URL in Node.js, else a module that is compiled while it arrives,
+   or its bytes if the server gives them another type. */
 async function moduleOf(source) {
     const url = new URL(source, globalThis.location?.href);
     if (url.protocol === 'file:' && globalThis.process?.versions?.node) {
