@@ -9,7 +9,7 @@
 edges=$(mktemp) || exit 2
 trap 'rm -f "$edges"' EXIT
 for f in "$@"; do nm -P -g "$f" | awk -v f="$f" '{ print ($2 == "U" ? "asks" : "has"), f, $1 }'; done | sort | awk '
-    # Returns a file's height, by its folder; in the laboratory, from below: measure, page, chart, papers, commands
+    # Returns the height of a file, by its folder; in the laboratory, from below: measure, page, chart, papers, commands
     function height(f) {
         return f ~ /^build\/examples\/lab\/papers\// ? 9 : f ~ /^build\/examples\/lab\/chart\// ? 8 \
              : f ~ /^build\/examples\/lab\/page\// ? 7 : f ~ /^build\/examples\/lab\/measure\// ? 6 \
