@@ -7069,7 +7069,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 /* ---- linking: an entry of the library is kept if a line that is kept names it */
 /* A hash table with open addressing. It is never full: it holds names of entries, of rows and of a few functions of
    desc.shader.fetch, and the typedef below does not compile if entries and rows fill half of the slots. */
-enum { SSGI_GL__SLOTS = 1024 };
+enum { SSGI_GL__SLOTS = 2048 };
 
 typedef char ssgi_gl__slots_suffice[SSGI_GL__CODES + SSGI_GL__ROWS < SSGI_GL__SLOTS / 2 ? 1 : -1];
 
