@@ -133,16 +133,17 @@ int work_add_to(work *w, cost_chain *c, const ssgi_gl_chain *chain, kit_error *e
 {
     static ssgi_gl_step steps[MOST_STEPS];
     ssgi_gl_chain described = *chain;
-    for (int i = SIZES; i-- > 0;) {                         /* WIDTH x HEIGHT comes last: later code uses its steps */
-        const int *size = sizes[(i + 2) % SIZES];
+    for (int i = 0; i < SIZES; ++i) {
+        const int *size = sizes[i];
+        const int adds = size[0] == WIDTH;        /* passes are those of one size */
         described.width = size[0];
         described.height = size[1];
         const int count = chain_steps(steps, &described, SSGI_GL_DIALECT_VULKAN, &c->lacks);
         if (!count) return 0;
-        if (count + c->passes > MOST_PASSES)
+        if (adds && count + c->passes > MOST_PASSES)
             return kit_fail(err, "%s: has more than %d passes", c->name, MOST_PASSES);
-        c->targets[(i + 2) % SIZES] = target_bytes(steps, count);
-        for (int k = 0; size[0] == WIDTH && k < count; ++k) {
+        c->targets[i] = target_bytes(steps, count);
+        for (int k = 0; adds && k < count; ++k) {
             const int program = program_of_step(w, &steps[k], err);
             if (program < 0) return -1;
             add_pass(c, program, steps, count, k);
