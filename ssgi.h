@@ -5261,15 +5261,15 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 
    Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST and the methods s3ho and
    s3ho-fast have that filter, too. After a gather at half resolution a filter of radius 2 is a tent of 5.5 pixels
-   without its corners. Set filter.radius = 1 and gather.samples = 6 for what 0.4 drew. With chain.history radius 1
+   without its corners. Set filter.radius = 1 and gather.samples = 6 to draw as 0.4 did. With chain.history radius 1
    suffices, as hsao-history has it. Pass thickness reads no normals.
 
-   GLSL has whole words instead of letters, and one quantity a line: shaders compute what they did. If your own GLSL
+   GLSL has whole words instead of letters, and one quantity a line: shaders compute the same. If your own GLSL
    reads coefficients: ssgi_coefficients.c is now .channel, and the members a to d of ssgi_sh are word0 to word3. Your
    fetch code is called as before.
 
    Tools: files of make glsl are named by field and word (hsao.450.thickness-slabs.frag), make glsl-in is gone, and no
-   tool counts fetches in GLSL any more: make cost counts what a compiler makes of it. make dist packs a release. The
+   tool counts fetches in GLSL any more: make cost counts a compiler's instructions. make dist packs a release. The
    npm package has no folders glsl and wgsl any more: Ssgi.shader makes the GLSL, and package ssgi-wgsl has the WGSL.
 
    Corrected: rays passed between triangles if multiply and add were fused, past long edges from close by, and through

@@ -56,7 +56,7 @@
    PASSES       ssao          ambient visibility from point samples in the hemisphere [SA07]
                 hsao          ambient visibility from slices through the view direction [TLG23], or from the paper's
                               march [HSAO08]. GTAO and HBAO keep one horizon for a side of a slice; this keeps a bitmask
-                              of what is visible
+                              of the blocked sectors
                 ssdo          directional occlusion of an environment, one diffuse bounce, or both [SSDO09]; others call
                               it SSIL or SSGI
                 s3ho          occlusion as spherical harmonics, to be dotted with light; light that occluders reflect
@@ -94,8 +94,8 @@
 
    WHICH PASSES ARE DRAWN, IN WHICH ORDER, INTO WHICH TEXTURES is data: ssgi_gl_steps (>>steps; a loop:
    examples/minimal.c). This is left to you:
-      lights       you draw the shadow maps that desc.light.shadow MAP and FILL read; desc.light.shadow says what
-                   happens to lights without a map
+      lights       you draw the shadow maps that desc.light.shadow MAP and FILL read; ssgi_gl_shadow
+                   also says how lights without a map are tested
       s3ho         with chain.coefficients the filtered coefficients stay valid while camera and geometry stay: if only
                    the light changed, draw only the steps from shade on
       aof          each occluder is a row of t_ssgi_occluders (ssgi_gl_occluder). The result is not filtered. Forward
@@ -1018,7 +1018,7 @@ typedef struct ssgi_gl_step {
 
     /* ---- where: the image begins at frame.target in the targets, at half of that for HALF, at a quarter for QUARTER,
        at an eighth for TILES */
-    int scale;         /* SSGI_GL_SCALE_FULL ..: the size of what is drawn, divided by the image's size */
+    int scale;         /* SSGI_GL_SCALE_FULL ..: the size of the drawn picture, divided by the image's size */
     int width, height; /* [units: pixels] of the viewport */
 
     /* ---- its inputs and outputs */
@@ -1057,7 +1057,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 /* A method: a chain with the name that README, tools and pages use. */
 typedef struct ssgi_gl_method {
     const char *name;     /* "hsao-history" */
-    const char *sentence; /* what the method is for, and its inputs except depth and normals */
+    const char *sentence; /* the purpose of the method, and its inputs except depth and normals */
     int pass, preset;     /* chain.desc.pass; SSGI_GL_PRESET_FAST .. */
     const char *settings; /* the settings that differ from the preset's, as ssgi_gl_chain_of takes them: "history=1" */
 } ssgi_gl_method;

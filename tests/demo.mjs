@@ -27,7 +27,7 @@ await run("the page opens with README's pictures, each of its own shape and whol
     }
 });
 
-await run('beneath them a screen has a picture of each method beside its truth, and tells when to take which', async () => {
+await run('beneath them a screen has a picture of each method beside its truth, and says when to take it', async () => {
     const page = await open(1280, 800);
     await page.click('main > details:first-child summary');
     const seen = await page.evaluate(() => {

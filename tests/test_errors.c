@@ -162,11 +162,9 @@ static void write_row(FILE *f, int at)
 
 void test_errors(void)
 {
-    const char *const out = getenv("T_ERRORS"), *const was = csv_folder;
+    const char *const out = getenv("T_ERRORS");
     FILE *f = NULL;
-    csv_folder = "tests";
-    rows = csv_read("errors.csv");
-    csv_folder = was;
+    rows = csv_read_in("tests", "errors.csv");
     RUN("every method has a bound", complete);
     if (out && rowless) return;            /* a method without a row: writes no figures */
     if (!TRY(kit_gl_open(NULL, &err))) return;

@@ -285,7 +285,9 @@ static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
 /* Checks the tables for other languages: they have all members, and a 0 gives the shader of the default. */
 static void reflection(void)
 {
-    const size_t ints = offsetof(ssgi_gl_desc, shader.version) / sizeof(int);
+    const size_t ints = offsetof(ssgi_gl_desc, shader.version) / sizeof(int),
+                 gap = (offsetof(ssgi_gl_desc, shader) - offsetof(ssgi_gl_desc, filter)
+                        - sizeof(ssgi_gl_filter_desc)) / sizeof(int);       /* before desc.shader, for its pointers */
     const ssgi_gl_choice *c, *k;
     char seen[sizeof(ssgi_gl_desc) / sizeof(int)] = { 0 };
     size_t count = 0, end[2] = { 0, 0 };
@@ -293,7 +295,7 @@ static void reflection(void)
     for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i, ++count)
         CHECK(c->offset % sizeof(int) == 0 && c->offset / sizeof(int) < ints && !seen[c->offset / sizeof(int)]++,
               "desc.%s is there twice, or out of place", c->field);
-    CHECK(count <= ints && count + 2 >= ints           /* gaps: before desc.shader, and before its pointers */
+    CHECK((count == ints - gap || count == ints - gap - 1)                 /* and a gap before the pointers */
               && !ssgi_gl_choice_at(-1) && !ssgi_gl_choice_at(1 << 30),
           "%zu fields of %zu ints", count, ints);
     for (int i = 0; i < ROWS; ++i) {

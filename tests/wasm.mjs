@@ -1,6 +1,6 @@
 /* wasm.mjs - checks ssgi.mjs and ssgi.wasm against manifests of build/glsl-text and against a block written by C.
 
-      node wasm.mjs build/wasm ROOT     in the folder of frame.bin and the manifests' folders: texts, others, computed */
+      node wasm.mjs build/wasm ROOT     in the folder of frame.bin and of the manifests: texts, others, computed */
 import { readFileSync as read } from 'node:fs';
 import { equal, deepEqual, throws } from 'node:assert/strict';
 const { load } = await import(process.argv[2] + '/ssgi.mjs');

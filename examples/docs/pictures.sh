@@ -21,8 +21,8 @@ draw() {    # label, flags
 }
 
 finish() {
-    montage "$work/$name"-*.png -font DejaVu-Sans -pointsize 15 -background white -tile "${row:-$count}x" -geometry +3+3 \
-        -depth 8 "examples/docs/pictures/$name.png"
+    montage "$work/$name"-*.png -font DejaVu-Sans -pointsize 15 -background white \
+        -tile "${row:-$count}x" -geometry +3+3 -depth 8 "examples/docs/pictures/$name.png"
     echo "examples/docs/pictures/$name.png"
 }
 

@@ -57,7 +57,7 @@ static double solve(double x[MOST_TERMS], const equation *rows, int count, int t
     return count ? sqrt(residue / count) : 0;
 }
 
-/* Prints a number as in the table, such as ", 0.12f", with at most three decimals. */
+/* Prints a number as a C literal, such as .12f, with at most three decimals, or 0; then end. Pads it before a comma. */
 static void literal(double v, int width, const char *end)
 {
     char text[32], padded[40];

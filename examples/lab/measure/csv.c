@@ -46,14 +46,16 @@ csv csv_of(char *text, const char *name)
     return c;
 }
 
-csv csv_read(const char *name)
+csv csv_read_in(const char *folder, const char *name)
 {
     char path[1024], *text;
     size_t size;
     if (*name == '/') snprintf(path, sizeof path, "%s", name);
-    else snprintf(path, sizeof path, "%s/%s", csv_folder, name);
+    else snprintf(path, sizeof path, "%s/%s", folder, name);
     return csv_of(kit_file_read(&text, &size, path, NULL) ? NULL : text, name);
 }
+
+csv csv_read(const char *name) { return csv_read_in(csv_folder, name); }
 
 const char *csv_text(const csv *c, int row, const char *key)
 {

@@ -212,15 +212,12 @@ static void read_all(void)
 {
     line s = { .file = "sheets" }, r = { .file = "rows" }, c = { .file = "claims" };
     line *const every[] = { &s, &r, &c, &words, &views };
-    const char *was = csv_folder;
-    csv_folder = SHEET_FOLDER;
     for (int i = 0; i < COUNT(every); ++i) {
         char name[16];
         snprintf(name, sizeof name, "%s.csv", every[i]->file);
-        every[i]->of = csv_read(name);
+        every[i]->of = csv_read_in(SHEET_FOLDER, name);
         if (!every[i]->of.rows || every[i]->of.rows > MOST_OF_ALL) fault(every[i], "");
     }
-    csv_folder = was;
     for (; s.at < s.of.rows; ++s.at) {
         sheet *t = &sheets[s.at];
         if (s.at == MOST_SHEETS - 1) fault(&s, "paper");

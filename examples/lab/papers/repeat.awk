@@ -9,7 +9,8 @@
 
 BEGIN {
     if (!at) "pwd" | getline at
-    if (!folder) "mktemp -d" | getline folder
+    if (!folder) "mktemp -d" | getline made
+    if (!folder) folder = made
 }
 function fail(line, text) { print FILENAME ":" line ": " text; wrong = 1 }
 
@@ -132,5 +133,6 @@ END {
     if (heads) table_ends()
     if (!measured) fail(FNR, "no figure was measured")
     print measured " figures were measured again"
+    if (made) system("rm -rf " made)
     exit wrong
 }
