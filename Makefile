@@ -128,13 +128,23 @@ demo-test: report/demo.js web-deps
 # only that scene and methods whose names begin so. CONTEXT=egl draws on a GPU. Some scenes and one probe are in
 # packages that no other target needs; without them, the chart says so.
 PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
-# Half of its scenes by seed come from the commit's hash, so that nothing was tuned on them.
-DRAWN = $(patsubst %,--commit %,$(shell git rev-parse --short=12 HEAD 2>/dev/null))
-chart: build/report | page-deps
+# OF=ambient, lit, fields, deep or plan: that part alone, at full length. Half of the scenes by seed come from the hash
+# of the code, so that nothing was tuned on them.
+CODE  = sh examples/lab/figures.sh --hash
+DRAWN = $(if $(filter chart seeds,$(or $(OF),chart)),--drawn $$($(CODE)))
+chart: build/report build/glsl-text | page-deps
 	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs attic))
 	@test -n "$(QUICK)$(SCENE)" -o -s $(PROBE) || sh examples/kit/install.sh blender-data || true
-	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %) $(DRAWN)
+	build/report $(or $(OF),chart) $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) \
+	  $(CONTEXT:%=--context %) $(DRAWN)
 	@$(FIGURES)
+
+# Every figure of the documents, in parts of at most an hour that can be stopped: all parts whose figures are of other
+# code, or PART="seeds cost". figures-check names those parts; their hash is that of all shaders and of ssgi.h's code.
+figures: build/report build/glsl-text
+	@MAKE='$(MAKE)' sh examples/lab/figures.sh $(PART)
+figures-check: build/glsl-text
+	@sh examples/lab/figures.sh --check
 
 # The papers' tables and figures, their values beside ours; report/index.html, and their part of
 # examples/docs/FIGURES.md. QUICK=1 is smaller; PAPER=DSS14 or PAPER='DSS14 Figure 7' selects some. Without these the
@@ -151,9 +161,10 @@ light: build/report | page-deps
 
 # Only the chart's part on scenes by seed. make seeds QUICK=1 is smaller. Seeds from 1000 on are for reports only:
 # FROM=0 shows the seeds on which settings may be tuned.
-seeds: build/report | page-deps
+seeds: build/report build/glsl-text | page-deps
 	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
 	  $(CONTEXT:%=--context %) $(DRAWN)
+	@$(FIGURES)
 
 NPM = npm install --no-save --ignore-scripts --no-audit --no-fund --silent --prefix
 
@@ -392,7 +403,7 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
+.PHONY: figures figures-check page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
         cost-record cost-shares cost-plan cost-papers glsl mutants failures deps unlisted shared format clean
 

@@ -23,7 +23,8 @@
 
 static int begin(page *record, const options *o, const char *name, const char *command, kit_error *err)
 {
-    const char *const kind = o->method || o->scenes || o->paper ? "part" : o->quick ? "quick" : "full";
+    const int part = o->method || o->scenes || o->paper || o->first >= 0 || o->seeds;
+    const char *const kind = part ? "part" : o->quick ? "quick" : "full";
     char line[96];
     snprintf(line, sizeof line, command, o->quick ? *command == 'm' ? " QUICK=1" : " --quick" : "");
     if (page_begin(record, name, kind, line, kit_gl_name(), err)) return -1;
@@ -100,12 +101,6 @@ static int chart(const options *o, kit_error *err)
     return end(&record, o, "chart", err);
 }
 
-/* Measures scenes by seed ahead, several at once, as they are not timed. */
-static int chart_ahead(const options *o, kit_error *err)
-{
-    return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
-}
-
 /* Makes a record of one section. */
 static int alone(const section *c, const char *name, const char *command, const options *o, kit_error *err)
 {
@@ -114,6 +109,24 @@ static int alone(const section *c, const char *name, const char *command, const 
     return begin(&record, o, name, command, err) || sections(record.file, &c, 1, o, err) || end(&record, o, name, err)
                ? -1
                : 0;
+}
+
+/* Each of these makes the record of one section of the chart. */
+static int one(const section *c, const char *name, const options *o, kit_error *err)
+{
+    char command[96];
+    snprintf(command, sizeof command, "build/report %s%%s", name);
+    return check_asked(o, err) ? -1 : alone(c, name, command, o, err);
+}
+static int ambient_part(const options *o, kit_error *err) { return one(&ao_chart, "ambient", o, err); }
+static int lit_part(const options *o, kit_error *err) { return one(&lit_chart, "lit", o, err); }
+static int fields_part(const options *o, kit_error *err) { return one(&fields_chart, "fields", o, err); }
+static int deep_part(const options *o, kit_error *err) { return one(&deep_chart, "deep", o, err); }
+
+/* Measures scenes by seed ahead, several at once, as they are not timed. */
+static int chart_ahead(const options *o, kit_error *err)
+{
+    return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
 }
 
 /* Makes the chart of light on every pair of a scene and a probe. */
@@ -165,14 +178,18 @@ static int papers(const options *o, kit_error *err)
 static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
 
 /* Bits for a command's options beside --out and --context. ahead: runs before there is a GL context; NULL: none. */
-enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, COMMIT = 64 };
+enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, DRAWN = 64 };
 typedef int step(const options *o, kit_error *err);
 static const struct command { const char *name, *about; int takes; step *run, *ahead; } commands[] = {
     { "demo", "Images and tables of every method beside the ground truth, in two minutes.", MESH, demo, NULL },
-    { "chart", "Speed against accuracy, in an hour: chart*.csv.", QUICK | SCENES | METHOD | COMMIT, chart,
+    { "chart", "Speed against accuracy, in an hour: chart*.csv.", QUICK | SCENES | METHOD | DRAWN, chart,
       chart_ahead },
+    { "ambient", "Its part on ambient occlusion: chart.csv.", QUICK | SCENES | METHOD, ambient_part, NULL },
+    { "lit", "Its part on light: chart-lit.csv.", QUICK | METHOD, lit_part, NULL },
+    { "fields", "Its part on ambient occlusion fields: chart-aof.csv.", QUICK | METHOD, fields_part, NULL },
+    { "deep", "Its part on deep screen space: chart-deep.csv.", QUICK | METHOD, deep_part, NULL },
     { "light", "Light on every pair of a scene and a probe: chart-pairs.csv.", QUICK | SCENES | METHOD, light, NULL },
-    { "seeds", "Ambient occlusion on scenes by seed and on models: seeds.csv.", QUICK | METHOD | SEEDS | COMMIT, seeds,
+    { "seeds", "Ambient occlusion on scenes by seed and on models: seeds.csv.", QUICK | METHOD | SEEDS | DRAWN, seeds,
       seeds_ahead },
     { "papers", "The papers' tables and figures, in some minutes: papers.csv.", QUICK | PAPER, papers, NULL },
     { "fit", "The errors that build/fit fits the planner's table to: plan-fit.csv.", 0, fit, plan_fit_ahead },
@@ -194,11 +211,11 @@ static const struct argument { const char *name, *what, *about; int of, most; si
     { "--from", "SEED", "The first seed [1000]. Settings may be tuned on those below 1000: a run that begins there "
                         "ends there, and writes seeds-fit.csv.", SEEDS, 999999, offsetof(options, first) },
     { "--count", "N", "The number of scenes by seed.", SEEDS, MOST_SEEDS, offsetof(options, seeds) },
-    { "--commit", "HASH", "The hash of a commit, which draws half of the scenes by seed.", COMMIT, 0,
-      offsetof(options, commit) }
+    { "--drawn", "TEXT", "The text whose hash draws half of the scenes by seed.", DRAWN, 0, offsetof(options, drawn) }
 };
 
-static const char usage[] = "report demo | chart | light | seeds | papers | fit | plan [options]";
+static const char usage[] = "report demo | chart | ambient | lit | fields | deep | light | seeds | papers | fit | plan "
+                            "[options]";
 
 /* Prints the help: the commands, and behind them the options, each with the commands that take it. */
 static int helped(int argc, char **argv)
@@ -272,7 +289,7 @@ int main(int argc, char **argv)
     while (argc > 1 && c < commands + COUNT(commands) && strcmp(c->name, argv[1])) ++c;
     if (argc < 2) kit_fail(&err, "a command is missing: %s (--help explains it)", usage);
     else if (c == commands + COUNT(commands))
-        kit_fail(&err, "%s: there is no such command (demo, chart, light, seeds, papers, fit, plan)", argv[1]);
+        kit_fail(&err, "%s: there is no such command: %s", argv[1], usage);
     else run(c, argc, argv, &err);
     if (*err.text) {
         kit_progress("", 1);

@@ -29,12 +29,12 @@ enum { PARTS = COUNT(parts) };
 /* A scene of the chart. set: tuned, asked, judged, drawn or models; kind: a word of kit_scene_kind, or models. */
 typedef struct place { char name[64], path[128]; const char *set, *kind; int seed; } place;
 
-static const char *commit_of(const options *o) { return o->commit ? o->commit : ""; }
+static const char *drawn_by(const options *o) { return o->drawn ? o->drawn : ""; }
 
-/* Returns the i-th seed drawn by the commit's hash, so that nobody saw its scene before. All kinds get as many. */
+/* Returns the i-th seed drawn by the text's hash, so that nobody saw its scene before. All kinds get as many. */
 static int drawn_seed(const options *o, int i)
 {
-    const uint64_t hash = kit_hash(kit_hash(KIT_HASH, commit_of(o), strlen(commit_of(o))), &i, sizeof i);
+    const uint64_t hash = kit_hash(kit_hash(KIT_HASH, drawn_by(o), strlen(drawn_by(o))), &i, sizeof i);
     return (DRAWN_FROM + (int)(hash % DRAWN)) * KIT_KINDS + i % KIT_KINDS;
 }
 
@@ -338,10 +338,10 @@ static void head(FILE *record, const options *o)
     page_paragraph(record,
                    "%d scenes, none of them picked by hand: kind, things, camera, radius, units and light are drawn "
                    "from a seed. Judged: seeds from %d on, on which nothing is tuned. Drawn: seeds by the hash of "
-                   "commit %s. Models: of packages, seen as a seed says. %d x %d pixels, the truth %d rays at every "
+                   "code %s. Models: of packages, seen as a seed says. %d x %d pixels, the truth %d rays at every "
                    "%dth pixel both ways. Shares: RMSE over that of no occlusion, so a pass above 1 is worse than "
                    "none. Noise: thousandths of visibility, between two phases, where a smooth surface is in shade.",
-                   scenes, SEEDS_JUDGED, *commit_of(o) ? commit_of(o) : "(none)", SEED_WIDTH / stage_thrift,
+                   scenes, SEEDS_JUDGED, *drawn_by(o) ? drawn_by(o) : "(none)", SEED_WIDTH / stage_thrift,
                    SEED_HEIGHT / stage_thrift, SEED_RAYS / (stage_thrift * stage_thrift), SEED_STRIDE);
     if (*peers_missing()) page_paragraph(record, "%s", peers_missing());
 }

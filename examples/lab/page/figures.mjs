@@ -1,5 +1,5 @@
-/* figures.mjs - makes examples/docs/FIGURES.md, the csv beside it and README's charts from the records of make chart,
-   light, stability, papers, cost and cost-peers.
+/* figures.mjs - makes examples/docs/FIGURES.md, the csv beside it, README's charts and the tables of README and BENCH
+   from the records of make chart, seeds, light, stability, papers, cost and cost-peers.
 
       node examples/lab/page/figures.mjs [report]
       node examples/lab/page/figures.mjs --csv [FOLDER]       README's charts alone, of the csv in examples/docs/figures
@@ -7,7 +7,8 @@
    A full run replaces its own parts of the page in examples/docs, and no others. A quick run's page lies beside the
    records. Runs of some scenes, methods or papers (SCENE, METHOD, PAPER) change nothing. If a record cannot be read:
    one line on stderr, status 2, and the page stays as it is. */
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs';
+import { renameSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import vm from 'node:vm';
@@ -110,7 +111,7 @@ function seeds(rows, record) {
         );
     const effects = of('visibility', true);
     return `${count('judged') + count('drawn')} scenes at 1280x720, none picked by hand: ${count('judged')} by seeds on
-which nothing is tuned (judged), ${count('drawn')} drawn from the commit's hash; beside them ${count('models')} models
+which nothing is tuned (judged), ${count('drawn')} drawn from the code's hash; beside them ${count('models')} models
 of packages. Error over that of no occlusion: the mean with its 95 % interval, on how many it is worse than nothing,
 means by kind. Noise: thousandths of visibility, of 1.2 to 8 pixels, where a smooth surface is in shade. Milliseconds
 are modelled; CPU: ${record.cores} cores, over one unblurred 16-sample \`ssao\`.
@@ -276,25 +277,39 @@ ${of
     .join('; ')}.`;
 }
 
-/* The page's parts in their order: heading, record, the function that finds the rows, the one that writes the text. */
+/* The page's parts in their order: heading, the record, the function that finds the rows, the one that writes the text.
+   chart's parts may have records of their own. */
 const of_kind = (kind, made = rows => rows) => record => made(found(record, kind));
 const parts = [
-    ['Ambient occlusion', 'chart', of_kind('ambient'), ambient],
-    ['What others have', 'chart', of_kind('ambient', rows => means(rows).filter(peer)), others],
-    ['Light: speed against accuracy', 'chart', of_kind('light'), light],
+    ['Ambient occlusion', 'ambient', of_kind('ambient'), ambient],
+    ['What others have', 'ambient', of_kind('ambient', rows => means(rows).filter(peer)), others],
+    ['Light: speed against accuracy', 'lit', of_kind('light'), light],
     ['Light on every pair of a scene and a probe', 'light', of_kind('pairs', by_pair), pairs],
-    ['Scenes by seed', 'chart', of_kind('seeds'), seeds],
-    ['The plan', 'chart', record => under(record, 'What a scene needs'), plan],
+    ['Scenes by seed', 'seeds', of_kind('seeds'), seeds],
+    ['The plan', 'plan', record => under(record, 'What a scene needs'), plan],
     ['Where methods fail', 'stability', by_cause, stability],
     ["The papers' own tables and figures", 'papers', record => tables(record).filter(t => t.kind === 'paper'), papers],
     ['What chains cost a GPU, modelled', 'cost', of_kind('cost', chains), cost]
 ];
+/* The csv of each record that examples/docs/figures keeps, by their beginnings. */
+const csv = {
+    ambient: ['chart.csv'],
+    lit: ['chart-lit'],
+    fields: ['chart-aof'],
+    deep: ['chart-deep'],
+    light: ['chart-pairs'],
+    seeds: ['seeds.csv'],
+    plan: ['plan.csv', 'plan-summary'],
+    ...Object.fromEntries(['stability', 'papers', 'cost', 'cost-peers'].map(name => [name, [name]])),
+    chart: ['chart', 'seeds.csv']
+};
 
 const head = `# Figures
 
-Made by \`make chart\`, \`light\`, \`stability\`, \`papers\`, \`cost\`, \`cost-peers\`: change nothing here. Each part
-names its command, commit, machine and driver; their page, report/index.html, has charts, pictures and every scene, and
-the csv of full runs are in [figures](figures).
+Made by \`make figures\`: change nothing here. Each part names its command, commit, machine and driver. The page
+report/index.html has charts, pictures and every scene, and [figures](figures) has the csv of full runs. \`make
+figures-check\` names the parts whose figures are of other code than today's, by a hash of all shaders and of ssgi.h
+without comments.
 
 - Time: GL time of all passes, filter included, over one unblurred 16-sample \`ssao\` in the same interleaved run.
 - Error: RMSE against ray-traced truth over the RMSE of having no ambient occlusion. Raw output: no gain, no exponent.
@@ -308,8 +323,20 @@ function write(path, text) {
     writeFileSync(`${path}.part`, text);
     renameSync(`${path}.part`, path);
 }
-const records = name => report.records[name];
+/* Returns a record; for a part of the chart the newer one of its own and the chart's. */
+function records(name) {
+    const own = report.records[name],
+        whole = csv[name]?.some(file => file.startsWith('chart') || csv.chart.includes(file)) && report.records.chart;
+    return !whole || own?.made > whole.made ? own : whole;
+}
 const origin = r => `*\`${r.command}\`, commit ${r.commit}, ${r.cores} cores (${r.processor}), ${r.driver}*`;
+/* Returns a table of the parts that make figures measured: of which code, and how long it took. */
+function sources() {
+    const path = `${docs}/figures/parts.csv`;
+    const [, ...rows] = existsSync(path) ? readFileSync(path, 'utf8').trim().split('\n') : [''];
+    const heads = ['part of `make figures`', 'code', 'commit', 'minutes'];
+    return rows.length ? `\n${table(heads, rows.map(r => r.split(',')))}\n` : '';
+}
 function page(kind, old) {
     const kept = new Map(old.split(/\n(?=## )/).slice(1).map(part => [part.slice(3, part.indexOf('\n')), part]));
     const text = ([name, of, rows_of, write]) => {
@@ -317,8 +344,60 @@ function page(kind, old) {
         if (rows.length) return `\n## ${name}\n\n${origin(record)}\n\n${write(rows, record)}\n`;
         return kept.has(name) ? `\n${kept.get(name)}` : '';
     };
-    return head + parts.map(text).join('');
+    return head + sources() + parts.map(text).join('');
 }
+/* Writes the figures of the judged scenes into the tables of README and BENCH that stand below such a comment. A row is
+   found by its method and settings in backticks, or by the name of an effect; a column by its head. In a row that says
+   "light" the error is that of light without a bounce. Empty cells stay empty. */
+const marked = /(<!-- judged scenes, by make figures -->\n+)((?:\|.*\n)+)/g;
+const renamed = [
+    ['GTAOPass', 'GTAO'],
+    ['resolution', 'size'],
+    ['n8ao, Neural', 'n8ao, neural, Neural']
+];
+const columns = {
+    ...Object.fromEntries(['RX 6800', 'Steam Deck', 'RX 480'].map(d => [d, r => cell(modelled(r, d))])),
+    ms: r => cell(modelled(r)),
+    error: r => cell(r.mean),
+    'relative error': r => `${cell(r.mean)} +- ${cell(r['±'])}`,
+    fitted: r => cell(r.fitted),
+    'worst scene': r => cell(r.worst)
+};
+function judged_tables(text, all) {
+    const judged = all.filter(r => r.set === 'judged');
+    const of = what => by_kind(judged.filter(r => r.what === what));
+    const [visible, lit] = [of('visibility'), of('light')];
+    const found_by = (cells, rows, settings) => {
+        const [, method] = cells.join('|').match(/`([a-z0-9-]+)`/) ?? [];
+        if (method) return rows.find(r => r.method === method && (r.settings ?? '') === settings);
+        const name = renamed.reduce((text, [a, b]) => text.replace(a, b), cells[1]?.trim() ?? '');
+        return rows.find(r => peer(r) && `${r.label}, ${r.settings}`.startsWith(`${name},`));
+    };
+    return text.replace(marked, (whole, mark, rows) => {
+        const lines = rows.split('\n'), heads = lines[0].split('|').map(head => head.trim());
+        const written = lines.map(line => {
+            const cells = line.split('|'), light = /light/.test(line);
+            const asked = line.match(/`([^`]*=[^`]*)`/)?.[1] ?? '';
+            const row = found_by(cells, light ? lit : visible, light ? 'bounce=none' : asked);
+            if (!row) return line;
+            const drawn = light ? { ...row, settings: asked } : row;
+            return cells
+                .map((text, i) => {
+                    const of = heads[i].includes('error') || !columns[heads[i]] ? row : drawn;
+                    const figure = columns[heads[i]]?.(of);
+                    return figure ? text.replace(/\d*\.\d+( \+- \d*\.\d+)?/, figure) : text;
+                })
+                .join('|');
+        });
+        return mark + written.join('\n');
+    });
+}
+function rewrite_tables() {
+    for (const path of ['README.md', `${docs}/BENCH.md`])
+        if (existsSync(path))
+            write(path, judged_tables(readFileSync(path, 'utf8'), found(report.records.chart, 'seeds')));
+}
+
 /* Draws README's charts anew, from the csv of the newest full runs. */
 async function redraw(into) {
     const path = name => `${docs}/figures/${name}.csv`,
@@ -401,11 +480,12 @@ if (folder === '--csv') {
     await redraw(drawn ?? `${docs}/pictures`);
     process.exit();
 }
-for (const name of ['chart', 'light', 'stability', 'papers', 'cost', 'cost-peers']) {
+for (const name of Object.keys(csv)) {
     const file = `${folder}/${name}.js`;
     if (!existsSync(file)) continue;
     try {
         vm.runInNewContext(readFileSync(file, 'utf8'), { ssgi_record });
+        report.records[name].made = statSync(file).mtimeMs;
     } catch (e) {
         console.error(`figures: ${file}: is no record: ${e.message}`);
         process.exit(2);
@@ -432,14 +512,14 @@ for (const [kind, into] of [
         continue;
     }
     mkdirSync(`${docs}/figures`, { recursive: true });
-    for (const file of readdirSync(folder))
-        for (const name of ['chart', 'light', 'stability', 'papers', 'cost'])
-            if (
-                (file.startsWith(name) || (name === 'chart' && file === 'seeds.csv')) &&
-                file.endsWith('.csv') &&
-                records(name)?.kind === kind
-            )
+    for (const file of readdirSync(folder).filter(file => file.endsWith('.csv')))
+        for (const [name, begin] of Object.entries(csv))
+            if (begin.some(b => file.startsWith(b)) && records(name)?.kind === kind)
                 copyFileSync(`${folder}/${file}`, `${docs}/figures/${file}`);
 }
-if (kinds.includes('full')) await redraw(`${docs}/pictures`);
+if (kinds.includes('full')) {
+    const seeds_are_new = records('seeds')?.kind === 'full';
+    await redraw(`${docs}/pictures`);
+    if (seeds_are_new) rewrite_tables();
+}
 if (kinds.includes('part')) console.log('figures: some are left as they are, for a part alone was measured');

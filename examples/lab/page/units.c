@@ -76,7 +76,7 @@ void units_begin(const options *o, int all)
 {
     static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE, UNITS_ROWS };
     const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->paper ? o->paper : "",
-                                 o->commit ? o->commit : "", o->mesh ? o->mesh : "", o->quick ? "quick" : "" };
+                                 o->drawn ? o->drawn : "", o->mesh ? o->mesh : "", o->quick ? "quick" : "" };
     memset(&units, 0, sizeof units);
     units.all = all;
     units.begun = kit_seconds();

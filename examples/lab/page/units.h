@@ -12,7 +12,7 @@ typedef struct options {
     const char *out, *mesh, *method, *paper, *context, *scene[MOST_SCENES];
     int quick, scenes;
     int first, seeds;                        /* first: seed of the scenes (below 0: not given); seeds: how many */
-    const char *commit;                      /* its hash draws half of the seeds of the chart */
+    const char *drawn;                       /* the hash of this text draws half of the seeds of the chart */
 } options;
 /* Returns whether the option --method allows this method. */
 int units_asked(const options *o, const char *method);
