@@ -25,12 +25,14 @@ plan      20 chart OF=plan
 seeds     60 seeds
 '
 
-# The figures depend on the shaders of all chains and on the code of ssgi.h. Comments and line breaks do not count.
+# The figures depend on the shaders of all chains and on the code of ssgi.h; only those of the planner on its room.
+# Comments and line breaks do not count.
 code() {
     folder=$(mktemp -d)
     build/glsl-text --chain all --450 "$folder" >/dev/null
-    rm "$folder/manifest.json"
-    cat "$folder"/* ssgi.h | awk 'BEGIN { RS = "\001" } {
+    rm -f "$folder"/manifest.json "$folder"/debug*
+    awk -v kept="$1" '/^\/\* ==== / { plan = />>plan / } !plan || kept == "plan"' ssgi.h >"$folder/ssgi.h"
+    cat "$folder"/* | awk 'BEGIN { RS = "\001" } {
         gsub(/\/\*([^*]|\*+[^*\/])*\*+\//, " ")
         gsub(/\/\/[^\n]*/, "")
         gsub(/[ \n]+/, " ")
@@ -42,11 +44,10 @@ code() {
 case $1 in
 --hash) code; exit ;;
 --check)
-    now=$(code)
-    touch "$record"
-    echo "$parts" | awk -v now="$now" '
+    test -e "$record" || record=/dev/null
+    echo "$parts" | awk -v other="$(code)" -v plan="$(code plan)" '
         FILENAME != "-" { split($0, field, ","); code[field[1]] = field[2]; next }
-        NF && code[$1] != now {
+        NF && (now = $1 == "plan" ? plan : other) && code[$1] != now {
             print "figures-check: " $1 " is of code " (code[$1] ? code[$1] : "(none)") ", not of " now
             wrong = 1
         }
@@ -54,7 +55,8 @@ case $1 in
     exit ;;
 esac
 
-hash=$(code)
+code=$(code)
+plan=$(code plan)
 for part in "$@"; do
     echo "$parts" | grep -q "^$part " || {
         echo "figures: PART=$part: there is none (have:$(echo "$parts" | awk '{ printf " %s", $1 }'))" >&2
@@ -62,21 +64,22 @@ for part in "$@"; do
     }
 done
 due=$(echo "$parts" | while read -r name rest; do
+    case $name in plan) hash=$plan ;; *) hash=$code ;; esac
     case " $* " in
-    "  ") test -z "$name" || grep -qs "^$name,$hash," "$record" || echo "$name $rest" ;;
-    *" $name "*) echo "$name $rest" ;;
+    "  ") test -z "$name" || grep -qs "^$name,$hash," "$record" || echo "$name $hash $rest" ;;
+    *" $name "*) echo "$name $hash $rest" ;;
     esac
 done)
-left=$(echo "$due" | awk '{ sum += $2 } END { print sum + 0 }')
-echo "figures: code $hash: $(echo "$due" | grep -c .) parts, about $left minutes on two cores"
-echo "$due" | while read -r name minutes how; do
+left=$(echo "$due" | awk '{ sum += $3 } END { print sum + 0 }')
+echo "figures: code $code: $(echo "$due" | grep -c .) parts, about $left minutes on two cores"
+echo "$due" | while read -r name hash minutes how; do
     test -n "$name" || continue
     echo "figures: $name, about $minutes of the $left minutes that are left"
     begun=$(date +%s)
     # shellcheck disable=SC2086
     ${MAKE:-make} --no-print-directory $how PART= PAPER= METHOD= SCENE= QUICK= ONLY= </dev/null
     { echo part,code,commit,minutes
-      { grep -v "^part,\|^$name," "$record" || true
+      { grep -sv "^part,\|^$name," "$record" || true
         echo "$name,$hash,$(git log -1 --format=%h 2>/dev/null),$((($(date +%s) - begun) / 60 + 1))"
       } | sort
     } >"$record.part"

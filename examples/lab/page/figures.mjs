@@ -300,7 +300,7 @@ const csv = {
     light: ['chart-pairs'],
     seeds: ['seeds.csv'],
     plan: ['plan.csv', 'plan-summary'],
-    ...Object.fromEntries(['stability', 'papers', 'cost', 'cost-peers'].map(name => [name, [name]])),
+    ...Object.fromEntries(['stability', 'papers', 'cost', 'cost-peers', 'quiet'].map(name => [name, [name]])),
     chart: ['chart', 'seeds.csv']
 };
 
