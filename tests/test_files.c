@@ -450,8 +450,8 @@ static void figures(void)
     CHECK(!shell(said, sizeof said, "cat examples/docs/FIGURES.md%s%s", "", "") && !strcmp(said, old), "\"%s\"", said);
     put("report/chart.js", chart, sizeof chart - 1);
     put("README.md", readme, sizeof readme - 1);
-    CHECK(!shell(said, sizeof said, "node '%s/examples/lab/page/figures.mjs' && cat examples/docs/FIGURES.md README.md%s",
-                 t_root, "")
+    CHECK(!shell(said, sizeof said, "node '%s/examples/lab/page/figures.mjs' && cat examples/docs/FIGURES.md "
+                 "README.md%s", t_root, "")
               && strstr(said, OTHER)
               && !strstr(said, "old\n") && !strstr(said, "an old head")
               && strstr(said, "*`make papers`, commit c0, 2 cores (p), d*")
