@@ -53,13 +53,13 @@ function title(r) {
 const METHOD = ['method', title],
     TIME = ['time', 'relative_time', 2],
     ON_GPU = ['RX 6800, ms', modelled];
-const found = (record, kind) => report.entry(record.name, kind) ?? [];
+const found = (record, kind) => (record && report.entry(record.name, kind)) ?? [];
 
 /* ---- >>parts: the text of each, from its rows ------------------------------------------------------------------- */
 
 function ambient(all, record) {
     const columns = [METHOD, ['bytes', , 0], TIME, ON_GPU, ['error', 'share']];
-    return `![Cost against error](${record.kind === 'full' ? 'pictures/' : ''}chart-cpu.svg)
+    return `![Cost against error](${record.kind === 'full' ? 'pictures/' : ''}chart.svg)
 
 Mean of ${grouped(all, 'scene').size} scenes. Noise: deviation over two phases of it; model error: RMSE of their mean.
 
@@ -88,6 +88,11 @@ function pairs(rows) {
 ${listed(rows, ...columns, ['below 1', r => `${r['below 1']} of ${r.pairs}`], ['bias', , 3, true])}`;
 }
 
+/* Returns this machine's clock of a row, among means of the built-in scenes. */
+const clock_of = (built_in, r) =>
+    built_in.find(a => a.method === r.method && a.settings === r.settings && (!peer(r) || a.label === r.label))
+        ?.relative_time;
+
 function seeds(rows, record) {
     const built_in = means(found(record, 'ambient')),
         kinds = [...grouped(rows, 'kind').keys()].filter(k => k !== 'models').map(k => [k]);
@@ -95,12 +100,8 @@ function seeds(rows, record) {
         count = set => list.filter(s => s.startsWith(`${set} `)).length;
     const of = (what, others = false) =>
         by_kind(rows.filter(r => r.what === what && peer(r) === others && r.method !== 'none'));
-    /* This machine's clock of a row, among means of the built-in scenes. */
-    const clocked = r =>
-        built_in.find(a => a.method === r.method && a.settings === r.settings && (!peer(r) || a.label === r.label))
-            ?.relative_time;
     const gpu = ['RX 6800, ms'],
-        cpu = ['CPU', clocked, 2],
+        cpu = ['CPU', r => clock_of(built_in, r), 2],
         mean = r => `${cell(r.mean)} &plusmn; ${cell(r['±'])}`;
     const own = (what, seen = what === 'visibility') =>
         listed(
@@ -405,75 +406,51 @@ async function redraw(into) {
     if (!['chart', 'seeds', 'cost', 'cost-peers'].every(name => existsSync(path(name)))) return;
     ssgi_record({ name: 'chart', entries: [of('ambient', 'chart'), of('seeds', 'seeds')] });
     for (const name of ['cost', 'cost-peers']) ssgi_record({ name, entries: [of('cost', name)] });
+    if (existsSync(path('quiet'))) ssgi_record({ name: 'quiet', entries: [of('quiet', 'quiet')] });
     await draw(into);
 }
-/* Draws README's charts by a GPU's modelled time and by this machine's. Without Plot they stay as they are. */
+/* Draws README's chart: error by two clocks, and the error of fine detail, one below the other, so that a phone shows
+   them large enough. The csv of the built-in scenes has this machine's clock. Without Plot it stays as it is. */
 async function draw(into) {
     const here = name => resolve('build/page/node_modules', name);
-    const rows = found(records('chart'), 'ambient'), all = rows.length ? report.ambient(rows, 'mean') : [];
+    const rows = found(records('chart'), 'ambient'), built_in = rows.length ? means(rows) : [];
     if (!existsSync(here('linkedom'))) return;
     const Plot = await import(here('@observablehq/plot/src/index.js'));
     const { parseHTML } = await import(here('linkedom/esm/index.js'));
     const { document } = parseHTML('<html><body></body></html>');
-    const up = 'error (RMSE), share of having no AO at all', style = { fontSize: '12px' };
-    const [cpu, gpu] = Object.values(report.clocks);
+    const [cpu, gpu] = Object.values(report.clocks), up = 'error, of that without occlusion';
     const sums = report.on_gpu(found(records('chart'), 'seeds').filter(r => r.what === 'visibility'));
-    for (const [name, clock, list] of [
-        ['chart-cpu', cpu, all],
-        ['chart', gpu, sums]
-    ]) {
-        if (list.filter(r => r[clock.x] !== null).length < 6) continue;
-        const floor = report.floor_of(list);
-        const options = report.scatter(Plot, list, { ...clock, y: 'share', floor, up });
-        keep(`${into}/${name}.svg`, [Plot.plot({ ...options, document, style })]);
-    }
-    const list = bars(sums), names = list.map(r => r.label);
-    if (list.length < 3) return;
-    const halves = [
-        ['share', 'error, of that of no occlusion'],
-        ['_ms', 'milliseconds of an RX 6800 at 1920x1080, modelled']
-    ].map(([x, label], i) =>
-        Plot.plot({
-            document,
-            style,
-            width: i ? 380 : 480,
-            height: 56 + 22 * list.length,
-            marginTop: 46,
-            marginBottom: 10,
-            marginLeft: i ? 12 : 150,
-            marginRight: 36,
-            x: { label, labelAnchor: 'left', labelArrow: 'none', labelOffset: 40, axis: 'top', grid: true, ticks: 5 },
-            y: { domain: names, label: null, axis: i ? null : 'left', tickSize: 0 },
-            marks: [
-                Plot.barX(list, { x, y: 'label', fill: r => (peer(r) ? '#a9adb5' : '#0072b2') }),
-                Plot.text(list, { x, y: 'label', text: r => r[x].toFixed(2), dx: 4, textAnchor: 'start' })
-            ]
-        })
-    );
-    keep(`${into}/bars.svg`, halves);
+    const clocked = sums.map(r => ({ ...r, relative_time: clock_of(built_in, r) }));
+    const fine = found(report.records.quiet, 'quiet').map(r => ({
+        ...r,
+        label: r.method,
+        _ms: r.ms,
+        grain: 1e3 * r.truth_seen
+    }));
+    const panels = [
+        [clocked, { ...gpu, y: 'share', up, floor: report.floor_of(sums) }],
+        [clocked, { ...cpu, y: 'share', up, floor: report.floor_of(sums) }],
+        [fine, { ...gpu, y: 'grain', up: 'error of 1.2 to 8 pixels where it is smooth, thousandths' }]
+    ];
+    const drawn = panels
+        .filter(([list, { x, y }]) => list.filter(r => Number.isFinite(r[x]) && Number.isFinite(r[y])).length >= 6)
+        .map(([list, options]) => report.scatter(Plot, list, { ...options, width: 560, height: 400 }))
+        .map(options => Plot.plot({ ...options, document, style: { fontSize: '13px' } }));
+    if (drawn.length) keep(`${into}/chart.svg`, drawn);
 }
-/* Writes SVG pictures beside each other into one file, on white, as the page that shows them may be dark. */
+/* Writes SVG pictures below each other into one file, on white, as the page that shows them may be dark. */
 function keep(path, all) {
     const sizes = side => all.map(svg => +svg.getAttribute(side)),
-        startOf = i => sizes('width').slice(0, i).reduce((sum, w) => sum + w, 0);
+        startOf = i => sizes('height').slice(0, i).reduce((sum, h) => sum + h, 0);
     const placed = all.map((svg, i) => {
         svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-        svg.setAttribute('x', startOf(i));
-        return svg.outerHTML.replaceAll('currentColor', '#222');
+        svg.setAttribute('y', startOf(i));
+        return svg.outerHTML.replaceAll('currentColor', '#222').replaceAll('var(--plot-background)', '#fff');
     });
-    const size = `width="${startOf(all.length)}" height="${Math.max(...sizes('height'))}"`;
+    const size = `width="${Math.max(...sizes('width'))}" height="${startOf(all.length)}"`;
     const ground = '<rect width="100%" height="100%" fill="#fff"/>';
     write(path, `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${ground}${placed.join('')}</svg>\n`);
     console.log(`figures: ${path}`);
-}
-/* Returns a chart's bars: presets, and each other library's effect with the smallest error, by increasing error. */
-function bars(sums) {
-    const timed = sums.filter(r => Number.isFinite(r._ms) && !given(r));
-    const own = timed.filter(r => !peer(r) && !r.settings && r.method !== 'hsao-march');
-    const others = [...grouped(timed.filter(peer), 'label').values()].map(
-        g => g.toSorted((a, b) => a.share - b.share)[0]
-    );
-    return [...own, ...others].sort((a, b) => a.share - b.share);
 }
 
 if (folder === '--csv') {

@@ -148,6 +148,27 @@ function meant(group, x, y) {
     return of.reduce(unique(of.map(named)).length > 1 ? (a, b) => b[y] < a[y] ? b : a : (a, b) => b[x] > a[x] ? b : a);
 }
 
+/* The sides of a point on which its name may stand: offset, and where the text begins. */
+const sides = [{ dx: 8, dy: 0, textAnchor: 'start' }, { dx: -8, dy: 0, textAnchor: 'end' },
+               { dx: 0, dy: -11, textAnchor: 'middle' }, { dx: 0, dy: 12, textAnchor: 'middle' }];
+/* Returns names and the side of each: the first one on which it covers no point and no other name. at: of a row, in
+   pixels. */
+function placed(names, points, at, width) {
+    const taken = points.map(r => ({ left: at(r)[0] - 4, right: at(r)[0] + 4, top: at(r)[1] - 4, low: at(r)[1] + 4 }));
+    return names.map(r => {
+        const [x, y] = at(r), wide = 6.3 * String(r.label).length;
+        const boxes = sides.map(({ dx, dy, textAnchor: a }) => {
+            const left = x + dx - wide * { start: 0, middle: 0.5, end: 1 }[a];
+            return { left, right: left + wide, top: y + dy - 6, low: y + dy + 6 };
+        });
+        const free = boxes.findIndex(b => b.left > 0 && b.right < width && !taken.some(t =>
+            t !== b && b.left < t.right && t.left < b.right && b.top < t.low && t.top < b.low));
+        const side = Math.max(free, 0);
+        taken.push(boxes[side]);
+        return { ...r, side };
+    });
+}
+
 /* Draws points of rows, joined by label; x is logarithmic. The broad line joins rows that no row beats in x and y. */
 function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, width = 900, height = 520 }) {
     const points = rows.filter(r => known(r[x]) && known(r[y]) && !given(r))
@@ -155,19 +176,25 @@ function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, wid
     const front = [];
     for (const r of points)
         if (!front.length || r[y] < front.at(-1)[y]) front.push(r);
-    const labels = [...grouped(points, 'label').values()].map(g => meant(g, x, y));
+    const margin = { left: 56, right: width > 600 ? 110 : 24 }, by = even ? v => v : Math.log;
+    const ends = key => [Math.min, Math.max].map(f => f(...points.map(r => r[key])));
+    const [left, right] = ends(x).map(by), [low, high] = ends(y), zero = low < 0.35 * high;
+    const share = (v, from, to) => to > from ? (v - from) / (to - from) : 0.5;
+    const at = r => [margin.left + share(by(r[x]), left, right) * (width - margin.left - margin.right),
+                     20 + (1 - share(r[y], zero ? 0 : low, high)) * (height - 64)];
+    const names = placed([...grouped(points, 'label').values()].map(g => meant(g, x, y)), points, at, width);
     return {
-        width, height, marginLeft: 56, marginRight: 110, grid: true,
+        width, height, marginLeft: margin.left, marginRight: margin.right, marginBottom: 44, grid: true,
         x: { type: even ? 'linear' : 'log', label: across, tickFormat: even ? undefined : '~g' },
-        y: { label: up, zero: Math.min(...points.map(r => r[y])) < 0.35 * Math.max(...points.map(r => r[y])) },
+        y: { label: `${up}; lower is better${floor === null ? '' : '; dashed: exact, if all is paper-thin'}`, zero },
         color: { domain: Object.keys(colours), range: Object.values(colours),
                  legend: false },
         marks: [
             even ? null : Plot.line(front, { x, y, curve: 'step-after', stroke: '#8884', strokeWidth: 7 }),
             floor === null ? null : Plot.ruleY([floor], { stroke: '#888', strokeDasharray: '6 4' }),
             Plot.line(points, { x, y, z: 'label', stroke: family, strokeOpacity: 0.55 }),
-            Plot.text(labels, { x, y, text: 'label', dx: 7, textAnchor: 'start', fill: family, fontSize: 11,
-                                stroke: 'var(--plot-background)', strokeWidth: 3 }),
+            ...sides.map((side, i) => Plot.text(names.filter(r => r.side === i), { x, y, text: 'label', ...side,
+                fill: family, stroke: 'var(--plot-background)', strokeWidth: 3 })),
             Plot.dot(points, { x, y, fill: family, r: 4, title: tip, tip: typeof window !== 'undefined' })
         ].filter(Boolean)
     };
