@@ -65,10 +65,34 @@ void   kit_json_number(FILE *out, double v, int decimals);
 /* Prints the words of a text, the first at `column`, in lines of at most `most` characters. Later lines begin at
    `indent`. */
 void   kit_print_words(const char *text, int column, int indent, int most);
-/* An entry of a program's help, after the usage; the last has no text, and one without a name is a paragraph. kit_help
-   prints them if --help or -h is the only argument, or the version for --version, and then returns 1. */
-typedef struct kit_help_entry { const char *name, *text; } kit_help_entry;
-int    kit_help(int argc, char **argv, const char *usage, const kit_help_entry *entry);
+/* A row of a program's command line, of its --help, or of both; the last has neither name nor text. A row without a
+   name is a paragraph. `at` is the offset of the member that takes the value, whose type follows from the kind; FLAG: an int
+   that becomes 1; NUMBERS: `least` doubles; SIZE: int[2]; LIST: const char *[], `said` counts them up to `most`;
+   otherwise `said`, unless 0, is an int that becomes 1; TAKEN: take() reads it; TOLD: the row is help alone. */
+typedef struct kit_option {
+    const char *name, *value, *about;
+    enum { KIT_TOLD, KIT_FLAG, KIT_TEXT, KIT_WHOLE, KIT_NUMBER, KIT_NUMBERS, KIT_SIZE, KIT_LIST, KIT_TAKEN } kind;
+    size_t at;
+    double least, most;
+    size_t said;
+    int    empty;                                           /* 1: the value may be empty */
+    int  (*take)(void *to, const char *name, const char *text, kit_error *err);
+} kit_option;
+/* Prints the help if --help or -h is the only argument, or the version for --version, and then returns 1. */
+int    kit_help(int argc, char **argv, const char *usage, const kit_option *table);
+/* kit_options fills a struct from all arguments. Those without a "-" go to other(); NULL: there are none. _take does so
+   for one option and the argument behind it (NULL: none), and returns how many it took; -1: refused. */
+int    kit_options(void *to, const kit_option *table, int argc, char **argv,
+                   int (*other)(void *to, const char *text, kit_error *err), kit_error *err);
+int    kit_option_take(void *to, const kit_option *table, const char *name, const char *text, kit_error *err);
+/* Read a value: numbers in world units, up to KIT_MOST, with commas between; one number or whole number in least..most;
+   "WxH", each in least..most. */
+int    kit_numbers(const char *name, const char *text, double *out, int count, kit_error *err);
+int    kit_number(const char *name, const char *text, double least, double most, double *out, kit_error *err);
+int    kit_whole(const char *name, const char *text, int least, int most, int *out, kit_error *err);
+int    kit_size(const char *name, const char *text, int least, int most, int out[2], kit_error *err);
+/* Returns the number of digits with which a text begins, and moves *at past them; 0: none, or it is above most. */
+int    kit_digits(const char **at, int most);
 /* Called at a program's start and end. open connects closed standard streams to /dev/null, so that no file takes their
    place, and makes the signal for a file above the size limit an error. close returns -1 if printed text was lost. */
 void   kit_streams_open(void);

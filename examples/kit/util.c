@@ -323,20 +323,6 @@ void kit_print_words(const char *text, int column, int indent, int most)
     putchar('\n');
 }
 
-int kit_help(int argc, char **argv, const char *usage, const kit_help_entry *entry)
-{
-    enum { INDENT = 26, MOST = 100 };
-    const char *const asked = argc == 2 ? argv[1] : "";
-    if (!strcmp(asked, "--version")) return printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR) > 0;
-    if (strcmp(asked, "--help") && strcmp(asked, "-h")) return 0;
-    printf("usage: %s\n", usage);
-    for (; entry->text; ++entry) {
-        if (entry->name && printf("  %-*s ", INDENT - 3, entry->name) > INDENT) printf("\n%*s", INDENT, "");
-        kit_print_words(entry->text, entry->name ? INDENT : 0, entry->name ? INDENT : 0, MOST);
-    }
-    return 1;
-}
-
 void kit_json_string(FILE *out, const char *text)
 {
     putc('"', out);

@@ -22,7 +22,7 @@ stability 30 stability
 papers    25 papers
 light     25 light
 plan      20 chart OF=plan
-seeds     60 seeds
+seeds     65 seeds
 '
 
 # The figures depend on the shaders of all chains and on the code of ssgi.h; only those of the planner on its room.

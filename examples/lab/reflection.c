@@ -119,32 +119,27 @@ static int measure(double sum[WAYS][LIGHTS], int seed, kit_error *err)
     return 0;
 }
 
+/* The command line. */
+typedef struct asked { int from, count; } asked;
 static const char usage[] = "reflection [--from SEED] [--count SCENES]";
-static const kit_help_entry help[] = {
-    { NULL, "Compares ways to dim reflected light by ambient visibility with path tracing, on scenes by seed. It "
-            "prints a table: a row for each way, a column for each albedo of a white room and for each roughness of a "
-            "glossy lobe. An error is divided by that of dimming nothing, and is the mean of the scenes." },
-    { "--from SEED", "The first seed [1000]." },
-    { "--count SCENES", "The number of scenes [14]." },
-    { NULL, NULL }
+static const kit_option options[] = {
+    { .about = "Compares ways to dim reflected light by ambient visibility with path tracing, on scenes by seed. It "
+               "prints a table: a row for each way, a column for each albedo of a white room and for each roughness "
+               "of a glossy lobe. An error is divided by that of dimming nothing, and is the mean of the scenes." },
+    { "--from", "SEED", "The first seed [1000].", .kind = KIT_WHOLE, .at = offsetof(asked, from), .most = 999999 },
+    { "--count", "SCENES", "The number of scenes [14].",
+      .kind = KIT_WHOLE, .at = offsetof(asked, count), .least = 1, .most = 1000 },
+    { NULL }
 };
 
 int main(int argc, char **argv)
 {
-    int from = 1000, count = 14;
+    asked a = { 1000, 14 };
     double share[WAYS][LIGHTS] = { { 0 } };
     kit_error err = { "" };
-    if (kit_help(argc, argv, usage, help)) return 0;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        if (!strcmp(argv[i], "--from")) from = atoi(argv[i + 1]);
-        else if (!strcmp(argv[i], "--count")) count = atoi(argv[i + 1]);
-        else argc = 0;
-    }
-    if (argc % 2 == 0 || from < 0 || count < 1) {
-        fprintf(stderr, "usage: %s\n", usage);
-        return 2;
-    }
-    int failed = kit_gl_open(NULL, &err);
+    if (kit_help(argc, argv, usage, options)) return 0;
+    int failed = kit_options(&a, options, argc, argv, NULL, &err) || kit_gl_open(NULL, &err);
+    const int from = a.from, count = a.count;
     for (int k = 0; k < count && !failed; ++k) {
         double sum[WAYS][LIGHTS] = { { 0 } };
         failed = measure(sum, from + k, &err);

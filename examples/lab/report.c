@@ -195,78 +195,58 @@ static const struct command { const char *name, *about; int takes; step *run, *a
     { "fit", "The errors that build/fit fits the planner's table to: plan-fit.csv.", 0, fit, plan_fit_ahead },
     { "plan", "The planner on views that it was not fitted on: plan.csv.", 0, plan, plan_ahead }
 };
-/* A table of options. of: the commands that take the option; what: its value in the help, NULL: it has none; most: its
-   limit as a number, 0: it is a text; at: its member of options. */
-static const struct argument { const char *name, *what, *about; int of, most; size_t at; } arguments[] = {
-    { "--out", "FOLDER", "The folder to write into [report].", 0, 0, offsetof(options, out) },
-    { "--context", "NAME", "osmesa, egl or egl-es: the source of the GL context.", 0, 0, offsetof(options, context) },
-    { "--mesh", "MODEL", "Ambient occlusion of that model alone.", MESH, 0, offsetof(options, mesh) },
-    { "--quick", NULL, "Smaller images and fewer rows.", QUICK, 0, offsetof(options, quick) },
-    { "--scene", "NAME", "Ambient occlusion of that scene alone. It may be given several times.", SCENES, 0,
-      offsetof(options, scene) },
-    { "--method", "NAME", "Methods whose names begin so, without scenes by seed and the planner.", METHOD, 0,
-      offsetof(options, method) },
-    { "--paper", "NAME", "Papers, tables and figures whose names begin so: HSAO08, \"DSS14 Figure 7\".", PAPER, 0,
-      offsetof(options, paper) },
-    { "--from", "SEED", "The first seed [1000]. Settings may be tuned on those below 1000: a run that begins there "
-                        "ends there, and writes seeds-fit.csv.", SEEDS, 999999, offsetof(options, first) },
-    { "--count", "N", "The number of scenes by seed.", SEEDS, MOST_SEEDS, offsetof(options, seeds) },
-    { "--drawn", "TEXT", "The text whose hash draws half of the scenes by seed.", DRAWN, 0, offsetof(options, drawn) }
+/* The options. of: the commands that take one; 0: all. */
+#define TO(member) .at = offsetof(options, member)
+static const struct argument { kit_option option; int of; } arguments[] = {
+    { { "--out", "FOLDER", "The folder to write into [report].", .kind = KIT_TEXT, TO(out) }, 0 },
+    { { "--context", "NAME", "osmesa, egl or egl-es: the source of the GL context.", .kind = KIT_TEXT, TO(context) },
+      0 },
+    { { "--mesh", "MODEL", "Ambient occlusion of that model alone.", .kind = KIT_TEXT, TO(mesh) }, MESH },
+    { { "--quick", NULL, "Smaller images and fewer rows.", .kind = KIT_FLAG, TO(quick) }, QUICK },
+    { { "--scene", "NAME", "Ambient occlusion of that scene alone. It may be given several times.", .kind = KIT_LIST,
+        TO(scene), .most = MOST_SCENES, .said = offsetof(options, scenes) }, SCENES },
+    { { "--method", "NAME", "Methods whose names begin so, without scenes by seed and the planner.", .kind = KIT_TEXT,
+        TO(method) }, METHOD },
+    { { "--paper", "NAME", "Papers, tables and figures whose names begin so: HSAO08, \"DSS14 Figure 7\".",
+        .kind = KIT_TEXT, TO(paper) }, PAPER },
+    { { "--from", "SEED", "The first seed [1000]. Settings may be tuned on those below 1000: a run that begins there "
+                          "ends there, and writes seeds-fit.csv.", .kind = KIT_WHOLE, TO(first), .most = 999999 },
+      SEEDS },
+    { { "--count", "N", "The number of scenes by seed.", .kind = KIT_WHOLE, TO(seeds), .least = 1,
+        .most = MOST_SEEDS }, SEEDS },
+    { { "--drawn", "TEXT", "The text whose hash draws half of the scenes by seed.", .kind = KIT_TEXT, TO(drawn) },
+      DRAWN }
 };
 
-static const char usage[] = "report demo | chart | ambient | lit | fields | deep | light | seeds | papers | fit | plan "
-                            "[options]";
+static const char usage[] = "report COMMAND [options]";
 
 /* Prints the help: the commands, and behind them the options, each with the commands that take it. */
 static int helped(int argc, char **argv)
 {
-    enum { LONGEST = 160 };
-    static char name[COUNT(arguments)][LONGEST], text[COUNT(arguments)][2 * LONGEST];
-    kit_help_entry help[1 + COUNT(commands) + COUNT(arguments) + 1] = {
-        { NULL, "Measures the methods, and adds a page of the command's name to index.html." } }, *to = help + 1;
+    static char text[COUNT(arguments)][320];
+    kit_option help[1 + COUNT(commands) + COUNT(arguments) + 1] = {
+        { .about = "Measures the methods, and adds a page of the command's name to index.html." } }, *to = help + 1;
     for (const struct command *c = commands; c < commands + COUNT(commands); ++c)
-        *to++ = (kit_help_entry){ c->name, c->about };
+        *to++ = (kit_option){ .name = c->name, .about = c->about };
     for (int k = 0; k < COUNT(arguments); ++k) {
         const struct argument *a = arguments + k;
-        int used = snprintf(text[k], sizeof *text, "%s%s", a->about, a->of ? " For" : "");
-        snprintf(name[k], sizeof *name, "%s %s", a->name, a->what ? a->what : "");
+        int used = snprintf(text[k], sizeof *text, "%s%s", a->option.about, a->of ? " For" : "");
         for (const struct command *c = commands; c < commands + COUNT(commands) && a->of; ++c)
             if (c->takes & a->of) used += snprintf(text[k] + used, sizeof *text - (size_t)used, " %s,", c->name);
         if (a->of) text[k][used - 1] = '.';
-        *to++ = (kit_help_entry){ name[k], text[k] };
+        *to = a->option;
+        to++->about = text[k];
     }
     return kit_help(argc, argv, usage, help);
 }
 
-static int take_value(options *o, const struct argument *a, const char *value, kit_error *err)
-{
-    char *const at = (char *)o + a->at, *end;
-    if (!value || !*value) return kit_fail(err, "%s: needs a value", a->name);
-    if (a->most) {
-        const long v = strtol(value, &end, 10), least = !strcmp(a->name, "--count");
-        if (end == value || *end || v < least || v > a->most)
-            return kit_fail(err, "%s %s: must be a whole number %ld..%d", a->name, value, least, a->most);
-        memcpy(at, &(int){ (int)v }, sizeof(int));
-        return 0;
-    }
-    if (a->of == SCENES && o->scenes == MOST_SCENES)
-        return kit_fail(err, "--scene %s: at most %d of them", value, MOST_SCENES);
-    memcpy(a->of == SCENES ? (char *)&o->scene[o->scenes++] : at, &value, sizeof value);
-    return 0;
-}
-
 static int parse(options *o, const struct command *c, int argc, char **argv, kit_error *err)
 {
+    kit_option table[COUNT(arguments) + 1] = { { NULL } }, *to = table;
+    for (const struct argument *a = arguments; a < arguments + COUNT(arguments); ++a)
+        if (!a->of || (c->takes & a->of)) *to++ = a->option;
     *o = (options){ .out = "report", .first = -1 };
-    for (int i = 2; i < argc; ++i) {
-        const struct argument *a = arguments;
-        while (a < arguments + COUNT(arguments) && (strcmp(argv[i], a->name) || (a->of && !(c->takes & a->of)))) ++a;
-        if (a == arguments + COUNT(arguments))
-            return kit_fail(err, "%s: %s takes no such argument (report --help lists what there is)", argv[i], argv[1]);
-        if (!a->what) o->quick = 1;
-        else if (take_value(o, a, argv[++i], err)) return -1;
-    }
-    return 0;
+    return kit_options(o, table, argc - 1, argv + 1, NULL, err);
 }
 
 static int run(const struct command *c, int argc, char **argv, kit_error *err)
@@ -289,7 +269,7 @@ int main(int argc, char **argv)
     while (argc > 1 && c < commands + COUNT(commands) && strcmp(c->name, argv[1])) ++c;
     if (argc < 2) kit_fail(&err, "a command is missing: %s (--help explains it)", usage);
     else if (c == commands + COUNT(commands))
-        kit_fail(&err, "%s: there is no such command: %s", argv[1], usage);
+        kit_fail(&err, "%s: there is no such command (--help lists them)", argv[1]);
     else run(c, argc, argv, &err);
     if (*err.text) {
         kit_progress("", 1);

@@ -21,9 +21,9 @@ typedef struct tried {
 } tried;
 
 typedef struct trial {
-    int from, count, light, bounce, entries, judge, quick;
-    float radius; /* times the scene's own */
-    const char *out, *other, *scenes;
+    int from, count, light, bounce, entries, quick;
+    double radius; /* times the scene's own */
+    const char *out, *other, *scenes, *judge;
     tried entry[MOST_TRIED];
     double (*seed)[2 * MOST_TRIED][MEASURED]; /* figures by seed, shared by processes; NAN: not measured */
 } trial;
@@ -115,7 +115,7 @@ static int measure_seed(const trial *t, int k, kit_error *err)
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
     if (name_scene(name, t->scenes, t->from + k, err)) return -1;
     if (stage_load(&s, &v, err)) return -1;
-    v.radius = t->radius * s.scene.radius;
+    v.radius = (float)t->radius * s.scene.radius;
     if (stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
     if (kit_gbuffer_read(&whole, &s.gbuffer, err) || (!t->light && !t->quick && stage_pair(&pair, &s, err)))
         return -1;
@@ -232,29 +232,36 @@ static int read_other(trial *t, kit_error *err)
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 static const char usage[] = "try [options] METHOD[:KEY=VALUE,..] ..";
-static const kit_help_entry help[] = {
-    { NULL, "Tries settings on scenes by seed. For each it prints the relative error, the noise, and the difference "
-            "from the first settings, scene by scene. Images are 1280x720." },
-    { "METHOD[:KEY=VALUE,..]", "A method and its settings, as build/render takes them: hsao:samples=12." },
-    { "--from SEED", "The first seed [0]." },
-    { "--count N", "The number of scenes, at least 2 [28]." },
-    { "--scenes NAME", "random:KIND takes scenes of one kind, models takes a model of a package for each seed, and "
-                       "model:NAME that model alone [random]." },
-    { "--light", "Measures irradiance under the scenes' own environments, without a bounce." },
-    { "--bounce", "Measures one bounce alone." },
-    { "--radius F", "Multiplies the radius of each scene by F [1]." },
-    { "--quick", "Measures the error alone, not the noise." },
-    { "--judge yes", "Allows seeds from 1000 on. The charts report on these, so that nothing may be tuned on them." },
-    { "--against F.csv", "Compares with the file that another build wrote for the same settings in the same order, "
-                         "for example in another work tree." },
-    { "--out F.csv", "The file to write [build/try.csv]: the seed, then for each of the settings the error, four bands "
-                     "of noise and four of error. nan is not measured. examples/lab/ranks.py compares the ranks of two "
-                     "such files." },
-    { NULL, NULL }
+#define TO(member) .at = offsetof(trial, member)
+static const kit_option options[] = {
+    { .about = "Tries settings on scenes by seed. For each it prints the relative error, the noise, and the "
+               "difference from the first settings, scene by scene. Images are 1280x720." },
+    { "METHOD[:KEY=VALUE,..]", NULL, "A method and its settings, as build/render takes them: hsao:samples=12.",
+      .kind = KIT_TOLD },
+    { "--from", "SEED", "The first seed [0].", .kind = KIT_WHOLE, TO(from), .most = 999999 },
+    { "--count", "N", "The number of scenes, at least 2 [28].",
+      .kind = KIT_WHOLE, TO(count), .least = 2, .most = MOST_SEEDS },
+    { "--scenes", "NAME", "random:KIND takes scenes of one kind, models takes a model of a package for each seed, "
+                          "and model:NAME that model alone [random].", .kind = KIT_TEXT, TO(scenes) },
+    { "--light", NULL, "Measures irradiance under the scenes' own environments, without a bounce.",
+      .kind = KIT_FLAG, TO(light) },
+    { "--bounce", NULL, "Measures one bounce alone.", .kind = KIT_FLAG, TO(bounce) },
+    { "--radius", "F", "Multiplies the radius of each scene by F [1].",
+      .kind = KIT_NUMBER, TO(radius), .least = 1e-6, .most = 1e6 },
+    { "--quick", NULL, "Measures the error alone, not the noise.", .kind = KIT_FLAG, TO(quick) },
+    { "--judge", "yes", "Allows seeds from 1000 on. The charts report on these, so that nothing may be tuned on "
+                        "them.", .kind = KIT_TEXT, TO(judge) },
+    { "--against", "F.csv", "Compares with the file that another build wrote for the same settings in the same "
+                            "order, for example in another work tree.", .kind = KIT_TEXT, TO(other) },
+    { "--out", "F.csv", "The file to write [build/try.csv]: the seed, then for each of the settings the error, four "
+                        "bands of noise and four of error. nan is not measured. examples/lab/ranks.py compares the "
+                        "ranks of two such files.", .kind = KIT_TEXT, TO(out) },
+    { NULL }
 };
 
-static int add_entry(trial *t, const char *text, kit_error *err)
+static int add_entry(void *to, const char *text, kit_error *err)
 {
+    trial *const t = to;
     const char *colon = strchr(text, ':');
     kit_method m;
     if (t->entries == MOST_TRIED) return kit_fail(err, "%s: at most %d settings", text, MOST_TRIED);
@@ -267,36 +274,11 @@ static int add_entry(trial *t, const char *text, kit_error *err)
 static int parse(trial *t, int argc, char **argv, kit_error *err)
 {
     *t = (trial){ .count = 28, .radius = 1, .out = "build/try.csv", .scenes = "random" };
-    for (int i = 1; i < argc; ++i) {
-        const char *const a = argv[i], *const v = i + 1 < argc ? argv[i + 1] : NULL;
-        if (!strcmp(a, "--light") || !strcmp(a, "--bounce")) {
-            t->light = 1;
-            t->bounce = !strcmp(a, "--bounce");
-            continue;
-        }
-        if (!strcmp(a, "--quick")) {
-            t->quick = 1;
-            continue;
-        }
-        if (strncmp(a, "--", 2)) {
-            if (add_entry(t, a, err)) return -1;
-            continue;
-        }
-        if (!v) return kit_fail(err, "%s: needs a value", a);
-        if (!strcmp(a, "--from")) t->from = atoi(v);
-        else if (!strcmp(a, "--count")) t->count = atoi(v);
-        else if (!strcmp(a, "--radius")) t->radius = (float)atof(v);
-        else if (!strcmp(a, "--out")) t->out = v;
-        else if (!strcmp(a, "--against")) t->other = v;
-        else if (!strcmp(a, "--scenes")) t->scenes = v;
-        else if (!strcmp(a, "--judge")) t->judge = !strcmp(v, "yes");
-        else return kit_fail(err, "%s: there is no such option", a);
-        ++i;
-    }
-    if (t->from < 0 || t->count < 2 || t->count > MOST_SEEDS || (!t->judge && t->from + t->count > SEEDS_JUDGED))
-        return kit_fail(err, "--from, --count: at least two seeds below %d; those from there on need --judge yes, for "
-                             "nobody tunes on them", SEEDS_JUDGED);
-    if (!(t->radius > 0)) return kit_fail(err, "--radius: must be above 0, times the scene's own");
+    if (kit_options(t, options, argc, argv, add_entry, err)) return -1;
+    t->light |= t->bounce;
+    if (!(t->judge && !strcmp(t->judge, "yes")) && t->from + t->count > SEEDS_JUDGED)
+        return kit_fail(err, "--from, --count: seeds from %d on need --judge yes, for nobody tunes on them",
+                        SEEDS_JUDGED);
     return t->entries ? 0 : kit_fail(err, "a method is missing: %s (--help explains it)", usage);
 }
 
@@ -304,7 +286,7 @@ int main(int argc, char **argv)
 {
     static trial t;
     kit_error err = { "" };
-    if (kit_help(argc, argv, usage, help)) return 0;
+    if (kit_help(argc, argv, usage, options)) return 0;
     int failed = parse(&t, argc, argv, &err);
     if (!failed) {
         t.seed = mmap(NULL, MOST_SEEDS * sizeof *t.seed, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

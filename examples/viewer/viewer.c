@@ -153,7 +153,7 @@ static int run(viewer *v) /* runs until the window is closed or --shot is taken 
 int main(int argc, char **argv)
 {
     static viewer v = { .size = { 1280, 720 }, .split = 0.5f, .colours = 1 };
-    asked to = { 0 };
+    asked to;
     char cores[32];
     kit_streams_open();
     pthread_mutex_init(&v.truth.lock, NULL);
@@ -161,10 +161,9 @@ int main(int argc, char **argv)
     for (int i = 0; i < 2; ++i) v.side[i].error = (double)NAN;
     snprintf(cores, sizeof cores, "%ld", sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) - 1 : 1);
     setenv("KIT_THREADS", cores, 0); /* one core stays free for drawing */
-    int failed = arguments(&v, &to, argc, argv);
-    if (!failed && to.help) usage();
-    else if (!failed && to.version) printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
-    else if (!failed) {
+    const int helped = viewer_help(argc, argv);
+    int failed = !helped && arguments(&v, &to, argc, argv);
+    if (!failed && !helped) {
         failed = open_all(&v, &to) || window_open(&v) || draw_open(&v);
         if (!failed) input_open(&v);
         failed = failed || run(&v);

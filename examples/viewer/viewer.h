@@ -187,13 +187,14 @@ void   window_title(viewer *v);
 
 /* ---- >>arguments.c */
 
+/* The command line. scale, panel, strength: below 0 if not given. */
 typedef struct asked {
-    const char *scene, *method, *right, *env, *set[VIEWER_WISHES], *light[KIT_MAX_LIGHTS];
-    int         sets, lights, help, version, camera, up;
+    const char *scene, *method, *right, *env, *shot, *set[VIEWER_WISHES], *light[KIT_MAX_LIGHTS];
+    int         sets, lights, camera, up, size[2], frames, panel, colours, ground, keys, command;
     double      place[6], upward[3], slide[3];
-    double      fovy, ortho_height;
+    double      fovy, ortho_height, radius, turn, strength, orbit, scale;
 } asked;
 int    arguments(viewer *v, asked *to, int argc, char **argv);
-void   usage(void);
+int    viewer_help(int argc, char **argv);            /* as kit_help, and the list of keys */
 
 #endif

@@ -272,14 +272,14 @@ static int want(const char *name, kit_error *err)
 }
 
 static const char usage[] = "against OLD_RENDER NEW_RENDER [ROW ..]";
-static const kit_help_entry help[] = {
-    { NULL, "Compares what two builds of the library draw, on 12 scenes by seed, and the errors of both. It prints a "
-            "line for each row, and writes report/against.csv, and the worst scene of a row that breaks a limit as "
-            "report/against-ROW-QUANTITY.png. The status is 1 if a row breaks a limit, and 2 after an error. make "
-            "against OLD=REVISION builds both programs." },
-    { "OLD_RENDER, NEW_RENDER", "build/render of two checkouts." },
-    { "ROW", "The row of that name, or all rows whose names begin so [all rows]." },
-    { NULL, NULL }
+static const kit_option help[] = {
+    { .about = "Compares what two builds of the library draw, on 12 scenes by seed, and the errors of both. It "
+               "prints a line for each row, and writes report/against.csv, and the worst scene of a row that breaks "
+               "a limit as report/against-ROW-QUANTITY.png. The status is 1 if a row breaks a limit, and 2 after an "
+               "error. make against OLD=REVISION builds both programs." },
+    { "OLD_RENDER, NEW_RENDER", NULL, "build/render of two checkouts.", .kind = KIT_TOLD },
+    { "ROW", NULL, "The row of that name, or all rows whose names begin so [all rows].", .kind = KIT_TOLD },
+    { NULL }
 };
 
 static int parse(int argc, char **argv, kit_error *err)

@@ -6,6 +6,7 @@
    than five minutes on a GPU; without one, less than ten for few rows at small sizes, and the tables say so. With all
    methods on a GPU the plan's choices are measured, too. --plan NUMBER measures that choice alone. */
 #include "lab/bench/bench.h"
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,38 +17,25 @@ enum { LIMIT_GPU = 270, LIMIT_SOFTWARE = 480 };
 
 #define PLAN_SHARE 0.3
 
-/* The options, as indices of their values (NULL: not given). Command line and make have the same names. */
+/* The options, as indices of their values (NULL: not given), and their table. */
 enum { CONTEXT, SCENE, METHOD, SIZE, OUT, PLAN, SECONDS, OPTIONS };
-static const struct { const char *name, *make; } names[OPTIONS] = {
-    { "--context", "CONTEXT" }, { "--scene", "SCENE" }, { "--method", "METHOD" }, { "--size", "SIZE" },
-    { "--out", NULL }, { "--plan", "PLAN" }, { "--seconds", "SECONDS" }
-};
 typedef const char *options[OPTIONS];
-
-static int parse(options a, int argc, char **argv, kit_error *err)
-{
-    for (int i = 1; i < argc; i += 2) {
-        int k = 0;
-        while (k < OPTIONS && strcmp(argv[i], names[k].name)) ++k;
-        if (k == OPTIONS)
-            return kit_fail(err,
-                            "%s: there is no such option (--context, --scene, --method, --size, --out, --plan, "
-                            "--seconds)",
-                            argv[i]);
-        if (i + 1 == argc) return kit_fail(err, "%s: needs a value", argv[i]);
-        a[k] = argv[i + 1];
-    }
-    return 0;
-}
-
-/* Reads a whole number of least .. most. Returns -1 if the text is no such number. */
-static int whole(int *out, const char *text, int least, int most)
-{
-    char *end;
-    const long v = strtol(text, &end, 10);
-    *out = (int)v;
-    return end == text || *end || v < least || v > most ? -1 : 0;
-}
+#define VALUE(k) .kind = KIT_TEXT, .at = (k) * sizeof(const char *)
+static const char usage[] = "bench [options]";
+static const kit_option table[] = {
+    { .about = "Measures the milliseconds of every method on this machine's GPU, and the planner's costs there. It "
+               "takes less than five minutes; without a GPU it measures few methods on the CPU, in less than ten. "
+               "It prints a table, and writes bench.csv, plan-gpu.csv and report/index.html." },
+    { "--context", "NAME", "egl, egl-es or osmesa: the source of the GL context [egl, or osmesa where there is "
+                           "none].", VALUE(CONTEXT) },
+    { "--scene", "NAME", "The scene, as build/render takes it [room].", VALUE(SCENE) },
+    { "--method", "NAME", "Methods whose names begin so, without the planner's choices.", VALUE(METHOD) },
+    { "--size", "WxH,..", "The sizes of the image [1920x1080,2560x1440,3840x2160; on a CPU 640x360].", VALUE(SIZE) },
+    { "--plan", "yes | no | N", "Whether the planner's choices are measured, or that choice alone.", VALUE(PLAN) },
+    { "--seconds", "N", "The time for everything, 1 to 86400 [270; on a CPU 480].", VALUE(SECONDS) },
+    { "--out", "FOLDER", "The folder to write into [report].", VALUE(OUT) },
+    { NULL }
+};
 
 /* Sets the choices of the plan to time and the time limits: by the options, or else to the context's defaults. */
 static int limits_of(bench *b, options a, kit_error *err)
@@ -55,10 +43,10 @@ static int limits_of(bench *b, options a, kit_error *err)
     int only = -1;
     b->planned = a[PLAN] ? strcmp(a[PLAN], "no") != 0 : !a[METHOD] && !kit_gl_is_software();
     b->seconds = kit_gl_is_software() ? LIMIT_SOFTWARE : LIMIT_GPU;
-    if (b->planned && a[PLAN] && strcmp(a[PLAN], "yes") && whole(&only, a[PLAN], 0, SSGI_PLAN_CHOICES - 1))
+    if (b->planned && a[PLAN] && strcmp(a[PLAN], "yes")
+        && kit_whole("", a[PLAN], 0, SSGI_PLAN_CHOICES - 1, &only, NULL))
         return kit_fail(err, "--plan %s: must be yes, no or 0..%d", a[PLAN], SSGI_PLAN_CHOICES - 1);
-    if (a[SECONDS] && whole(&b->seconds, a[SECONDS], 1, 86400))
-        return kit_fail(err, "--seconds %s: must be 1..86400", a[SECONDS]);
+    if (a[SECONDS] && kit_whole("--seconds", a[SECONDS], 1, 86400, &b->seconds, err)) return -1;
     return b->planned ? plan_choose(&b->plan, only, err) : 0;
 }
 
@@ -78,13 +66,17 @@ static int sizes_of(bench *b, const char *text, kit_error *err)
     return kit_fail(err, "--size %s: must be up to %d of 8x8 .. %dx%d, by commas", all, BENCH_SIZES, MOST, MOST);
 }
 
-/* Writes the command of make that has these options. */
+/* Writes the command of make that has these options, whose names are in capitals there. */
 static void command_of(bench *b, options a)
 {
     size_t n = (size_t)snprintf(b->command, sizeof b->command, "make bench");
-    for (int k = 0; k < OPTIONS; ++k)
-        if (a[k] && names[k].make && n < sizeof b->command)
-            n += (size_t)snprintf(b->command + n, sizeof b->command - n, " %s=%s", names[k].make, a[k]);
+    for (const kit_option *o = table + 1; o->name; ++o) {
+        const char *const value = a[o->at / sizeof *a];
+        if (!value || o->at == OUT * sizeof *a || n >= sizeof b->command) continue;
+        char *name = b->command + n;
+        n += (size_t)snprintf(name, sizeof b->command - n, " %s=%s", o->name + 2, value);
+        for (; *name && *name != '='; ++name) *name = (char)toupper(*name);
+    }
 }
 
 /* Opens a GL context. Without a context's name: EGL's, or the CPU's if there is no EGL. */
@@ -155,29 +147,14 @@ static int bench_all(bench *b, kit_error *err)
     return failed;
 }
 
-static const char usage[] = "bench [options]";
-static const kit_help_entry help[] = {
-    { NULL, "Measures the milliseconds of every method on this machine's GPU, and the planner's costs there. It takes "
-            "less than five minutes; without a GPU it measures few methods on the CPU, in less than ten. It prints a "
-            "table, and writes bench.csv, plan-gpu.csv and report/index.html." },
-    { "--context NAME", "egl, egl-es or osmesa: the source of the GL context [egl, or osmesa where there is none]." },
-    { "--scene NAME", "The scene, as build/render takes it [room]." },
-    { "--method NAME", "Methods whose names begin so, without the planner's choices." },
-    { "--size WxH,..", "The sizes of the image [1920x1080,2560x1440,3840x2160; on a CPU 640x360]." },
-    { "--plan yes | no | N", "Whether the planner's choices are measured, or that choice alone." },
-    { "--seconds N", "The time for everything, 1 to 86400 [270; on a CPU 480]." },
-    { "--out FOLDER", "The folder to write into [report]." },
-    { NULL, NULL }
-};
-
 int main(int argc, char **argv)
 {
     static bench b;
     kit_error err = { "" };
     options a = { [OUT] = "report" };
-    if (kit_help(argc, argv, usage, help)) return 0;
+    if (kit_help(argc, argv, usage, table)) return 0;
     kit_streams_open();
-    int failed = parse(a, argc, argv, &err) || bench_open(&b, a, &err) || bench_all(&b, &err)
+    int failed = kit_options(a, table, argc, argv, NULL, &err) || bench_open(&b, a, &err) || bench_all(&b, &err)
               || show_all(stdout, &b, a[OUT], &err);
     kit_fields_free();
     kit_image_free(&b.sky.env);

@@ -19,24 +19,27 @@
 #define ROOM     "examples/lab/cost"
 #define RECORDED ROOM "/recorded.csv"
 
-typedef struct asked { const char *against; int check, record, plan, papers, peers, some; } asked;
+/* The command line; some: it names chains or files. */
+typedef struct asked { const char *against; work *of; int check, record, plan, papers, peers, some; } asked;
 
 static work work_of_all;
 
 /* Takes names with commas between them. Unknown names are refused here, as RADV would end the program. */
-static int take_families(work *w, char *names, kit_error *err)
+static int take_families(void *to, const char *option, const char *text, kit_error *err)
 {
     static const char known[] = " polaris10 vega10 raven navi10 navi21 vangogh gfx1100 ";
+    work *const w = ((asked *)to)->of;
+    char *const names = strdup(text);                  /* not freed, as the families point into it */
     w->families = 0;
-    for (char *name = strtok(names, ","); name; name = strtok(NULL, ",")) {
+    for (char *name = names ? strtok(names, ",") : NULL; name; name = strtok(NULL, ",")) {
         char word[32];
         snprintf(word, sizeof word, " %.24s ", name);
         if (!strstr(known, word))
-            return kit_fail(err, "--family %s: must be some of%swith commas between", name, known);
-        if (w->families == MOST_FAMILIES) return kit_fail(err, "--family: at most %d", MOST_FAMILIES);
+            return kit_fail(err, "%s %s: must be some of%swith commas between", option, name, known);
+        if (w->families == MOST_FAMILIES) return kit_fail(err, "%s: at most %d", option, MOST_FAMILIES);
         w->family[w->families++] = name;
     }
-    return w->families ? 0 : kit_fail(err, "--family: must be some of%swith commas between", known);
+    return w->families ? 0 : kit_fail(err, "%s: must be some of%swith commas between", option, known);
 }
 
 static int is_file(const char *text)
@@ -45,21 +48,16 @@ static int is_file(const char *text)
     return ending && (!ending[5] || !strcmp(ending + 5, ".spv"));
 }
 
-static int take_arguments(work *w, asked *a, int argc, char **argv, kit_error *err)
+static int take_chain(void *to, const char *text, kit_error *err)
 {
-    for (int i = 1; i < argc; ++i) {
-        const int more = i + 1 < argc;
-        if (!strcmp(argv[i], "--check")) a->check = 1;
-        else if (!strcmp(argv[i], "--record")) a->record = 1;
-        else if (!strcmp(argv[i], "--plan")) a->plan = 1;
-        else if (!strcmp(argv[i], "--peers")) a->peers = 1;
-        else if (!strcmp(argv[i], "--papers")) a->papers = 1;
-        else if (!strcmp(argv[i], "--against") && more) a->against = argv[++i];
-        else if (!strcmp(argv[i], "--family") && more) { if (take_families(w, argv[++i], err)) return -1; }
-        else if (*argv[i] == '-') return kit_fail(err, "%s: is no option, or lacks its value", argv[i]);
-        else if (is_file(argv[i]) ? work_add_file(w, argv[i], err) : work_add_chain(w, argv[i], err)) return -1;
-        else a->some = 1;
-    }
+    asked *const a = to;
+    a->some = 1;
+    return is_file(text) ? work_add_file(a->of, text, err) : work_add_chain(a->of, text, err);
+}
+
+/* Adds to the work what is asked for. */
+static int add_work(work *w, const asked *a, kit_error *err)
+{
     if (a->plan) return plan_add(w, err);
     if (a->peers) return peers_add(w, err);
     if (a->papers) return sheets_add(w, err);
@@ -130,30 +128,37 @@ static int run(work *w, const asked *a, kit_error *err)
 }
 
 static const char usage[] = "cost [options] [CHAIN ..] [FILE.frag ..] | cost --shares | --plan | --papers | --peers";
-static const kit_help_entry help[] = {
-    { NULL, "Compiles passes by Mesa's compiler for GPUs that need not be here, counts their instructions, and "
-            "estimates milliseconds at 1920x1080. Nothing is executed. Without arguments it prints every chain that "
-            "build/glsl-text --chains names, and writes report/cost.csv and report/index.html." },
-    { "CHAIN", "A chain, as build/glsl-text --chain takes it, with each of its passes: hsao,samples=12." },
-    { "FILE.frag", "A shader of yours, or FILE.frag.spv, with its vertex stage beside it." },
-    { "--family NAME,..", "GPU families, by their names in RADV_FORCE_FAMILY [navi21,polaris10]." },
-    { "--against F.csv", "Prints what has changed since the run that wrote this file." },
-    { "--check", "Compares with examples/lab/cost/recorded.csv. The status is 1 if something has changed." },
-    { "--record", "Writes examples/lab/cost/recorded.csv anew." },
-    { "--shares", "Measures how many waves enter the branches that they may skip, on the scenes by seed 0 to 11, and "
-                  "writes examples/lab/cost/shares.csv anew, in three minutes. It draws with GL." },
-    { "--plan", "Estimates the planner's choices on an RX 6800: report/plan-cost.csv." },
-    { "--papers", "Models the papers' rows that have times: examples/lab/papers/modelled.csv." },
-    { "--peers", "Estimates the effects that make peers has brought: report/cost-peers.csv." },
-    { NULL, NULL }
+#define FLAG(member) .kind = KIT_FLAG, .at = offsetof(asked, member)
+static const kit_option options[] = {
+    { .about = "Compiles passes by Mesa's compiler for GPUs that need not be here, counts their instructions, and "
+               "estimates milliseconds at 1920x1080. Nothing is executed. Without arguments it prints every chain "
+               "that build/glsl-text --chains names, and writes report/cost.csv and report/index.html." },
+    { "CHAIN", NULL, "A chain, as build/glsl-text --chain takes it, with each of its passes: hsao,samples=12.",
+      .kind = KIT_TOLD },
+    { "FILE.frag", NULL, "A shader of yours, or FILE.frag.spv, with its vertex stage beside it.", .kind = KIT_TOLD },
+    { "--family", "NAME,..", "GPU families, by their names in RADV_FORCE_FAMILY [navi21,polaris10].",
+      .kind = KIT_TAKEN, .take = take_families },
+    { "--against", "F.csv", "Prints what has changed since the run that wrote this file.",
+      .kind = KIT_TEXT,
+      .at = offsetof(asked, against) },
+    { "--check", NULL, "Compares with examples/lab/cost/recorded.csv. The status is 1 if something has changed.",
+      FLAG(check) },
+    { "--record", NULL, "Writes examples/lab/cost/recorded.csv anew.", FLAG(record) },
+    { "--shares", NULL, "Measures how many waves enter the branches that they may skip, on the scenes by seed 0 to "
+                        "11, and writes examples/lab/cost/shares.csv anew, in three minutes. It draws with GL.",
+      .kind = KIT_TOLD },
+    { "--plan", NULL, "Estimates the planner's choices on an RX 6800: report/plan-cost.csv.", FLAG(plan) },
+    { "--papers", NULL, "Models the papers' rows that have times: examples/lab/papers/modelled.csv.", FLAG(papers) },
+    { "--peers", NULL, "Estimates the effects that make peers has brought: report/cost-peers.csv.", FLAG(peers) },
+    { NULL }
 };
 
 int main(int argc, char **argv)
 {
     kit_error err = { "" };
-    asked a = { .against = NULL };
     work *w = &work_of_all;
-    if (kit_help(argc, argv, usage, help)) return 0;
+    asked a = { .of = w };
+    if (kit_help(argc, argv, usage, options)) return 0;
     kit_streams_open();
     if (argc == 2 && !strcmp(argv[1], "--shares")) {
         const int failed = write_shares(&err);
@@ -170,7 +175,8 @@ int main(int argc, char **argv)
     csv_folder = ROOM;
     w->shares = csv_read("shares.csv");
     int status = w->shares.rows ? 0 : kit_fail(&err, ROOM "/shares.csv: cannot be read: make cost-shares");
-    if (!status) status = take_arguments(w, &a, argc, argv, &err) ? -1 : run(w, &a, &err);
+    if (!status) status = kit_options(&a, options, argc, argv, take_chain, &err) || add_work(w, &a, &err);
+    status = status ? -1 : run(w, &a, &err);
     work_free(w);
     if (status >= 0 && kit_streams_close(&err)) status = -1;
     if (status < 0) fprintf(stderr, "cost: %s\n", err.text);

@@ -24,8 +24,8 @@ typedef struct line { char method[64], settings[256], label[336]; double ms; ban
 
 typedef struct quiet {
     const char *scene, *pictures, *out, *context;
-    int         width, height, rays, lines, peers;     /* lines: entries, then peers, then the truth */
-    float       radius;
+    int         size[2], rays, lines, peers;           /* lines: entries, then peers, then the truth */
+    double      radius;                                /* 0: the scene's own */
     line        line[MOST_LINES];
     stage       stage;
     shaded      shaded;
@@ -193,7 +193,7 @@ static void put_csv(FILE *f, const quiet *q)
     fputs("scene,width,height,radius,rays,pixels,method,settings," FIGURES_OF, f);
     for (int i = 0; i < q->lines; ++i) {
         const line *l = &q->line[i];
-        fprintf(f, "\n\"%s\",%d,%d,%g,%d,%zu,\"%s\",\"%s\"", q->scene, q->width, q->height,
+        fprintf(f, "\n\"%s\",%d,%d,%g,%d,%zu,\"%s\",\"%s\"", q->scene, q->size[0], q->size[1],
                 (double)q->stage.radius, q->rays, q->shaded.pixels, l->method, l->settings);
         put_figure(f, "%.3f", l->ms);
         for (int k = 0; k < KINDS; ++k)
@@ -214,7 +214,7 @@ static int write_files(const quiet *q, kit_error *err)
                    "bands of pixels, and of 1.2 to 8. Noise: beside the same with 32 directions. All: beside the same "
                    "walk at full size with 32 directions of 20 steps. Truth: ray-traced, %d rays a pixel; its own row "
                    "is the error of half of its rays, which is no smaller than its noise. Milliseconds: %s.",
-                   q->stage.name, q->width, q->height, (double)q->stage.radius, q->shaded.pixels, q->rays,
+                   q->stage.name, q->size[0], q->size[1], (double)q->stage.radius, q->shaded.pixels, q->rays,
                    kit_gl_is_software() ? "of a " DEVICE " at 1920x1080, modelled" : kit_gl_name());
     put_csv(table.file, q);
     fflush(table.file);
@@ -227,8 +227,9 @@ static int write_files(const quiet *q, kit_error *err)
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
-static int add_entry(quiet *q, const char *text, kit_error *err)
+static int add_entry(void *to, const char *text, kit_error *err)
 {
+    quiet *const q = to;
     const char *colon = strchr(text, ':');
     kit_method m;
     if (q->lines == MOST_QUIET) return kit_fail(err, "%s: at most %d entries", text, MOST_QUIET);
@@ -242,54 +243,38 @@ static int add_entry(quiet *q, const char *text, kit_error *err)
 }
 
 static const char usage[] = "quiet [options] [METHOD[:KEY=VALUE,..]] ..";
-static const kit_help_entry help[] = {
-    { NULL, "Measures the noise that the eye sees in an image of ambient visibility, in bands of frequency. It draws "
-            "one frame; methods that keep history draw a view that stays until it has settled. For each entry it "
-            "prints the RMS difference from the same settings with 32 slices (noise), from full resolution with 32 "
-            "slices of 20 samples (all), and from ray tracing (truth). It adds charts to report/index.html." },
-    { "METHOD[:KEY=VALUE,..]", "A method of ambient visibility and its settings, as build/render takes them. Without "
-                               "any, the presets are drawn, and the effects that make peers has brought." },
-    { "--scene NAME", "A built-in scene, random:SEED, or the file of a model, which stands on a floor [spheres]." },
-    { "--size WxH", "The size of the image in pixels, each 64 to 8192 [960x540]." },
-    { "--radius R", "The radius, in units of the scene [the scene's own]." },
-    { "--rays N", "The rays of the ground truth for each pixel [256]." },
-    { "--pictures FOLDER", "Writes each image there, NN-METHOD.png, and 16 times its noise, NN-METHOD-band.png." },
-    { "--out F.csv", "The file to write [build/quiet.csv]." },
-    { "--context NAME", "osmesa, egl or egl-es: the source of the GL context. If a GPU draws, milliseconds are "
-                        "measured; otherwise they are estimated." },
-    { NULL, NULL }
+#define TO(member) offsetof(quiet, member)
+static const kit_option options[] = {
+    { .about = "Measures the noise that the eye sees in an image of ambient visibility, in bands of frequency. It "
+               "draws one frame; methods that keep history draw a view that stays until it has settled. For each "
+               "entry it prints the RMS difference from the same settings with 32 slices (noise), from full "
+               "resolution with 32 slices of 20 samples (all), and from ray tracing (truth). It adds charts to "
+               "report/index.html." },
+    { "METHOD[:KEY=VALUE,..]", NULL, "A method of ambient visibility and its settings, as build/render takes them. "
+                                     "Without any, the presets are drawn, and the effects that make peers brought.",
+      .kind = KIT_TOLD },
+    { "--scene", "NAME", "A built-in scene, random:SEED, or the file of a model, which stands on a floor [spheres].",
+      .kind = KIT_TEXT, .at = TO(scene) },
+    { "--size", "WxH", "The size of the image in pixels, each 64 to 8192 [960x540].",
+      .kind = KIT_SIZE, .at = TO(size), .least = 64, .most = 8192 },
+    { "--radius", "R", "The radius, in units of the scene [the scene's own].",
+      .kind = KIT_NUMBER, .at = TO(radius), .least = 1e-12, .most = 1e9 },
+    { "--rays", "N", "The rays of the ground truth for each pixel [256].",
+      .kind = KIT_WHOLE, .at = TO(rays), .least = 2, .most = 65536 },
+    { "--pictures", "FOLDER", "Writes each image there, NN-METHOD.png, and 16 times its noise, NN-METHOD-band.png.",
+      .kind = KIT_TEXT, .at = TO(pictures) },
+    { "--out", "F.csv", "The file to write [build/quiet.csv].", .kind = KIT_TEXT, .at = TO(out) },
+    { "--context", "NAME", "osmesa, egl or egl-es: the source of the GL context. If a GPU draws, milliseconds are "
+                           "measured; otherwise they are estimated.", .kind = KIT_TEXT, .at = TO(context) },
+    { NULL }
 };
 
 static int parse(quiet *q, int argc, char **argv, kit_error *err)
 {
     static const char *const presets[] = { "hsao-fast", "hsao", "hsao:slices=3", "hsao-history", "hsao-best",
                                            "hsao:thickness=slabs", "ssao" };
-    char end;
-    *q = (quiet){ .scene = "spheres", .out = "build/quiet.csv", .width = 960, .height = 540, .rays = RAYS };
-    for (int i = 1; i < argc; ++i) {
-        const char *const a = argv[i], *const v = i + 1 < argc ? argv[i + 1] : NULL;
-        if (strncmp(a, "--", 2)) {
-            if (add_entry(q, a, err)) return -1;
-            continue;
-        }
-        if (!v) return kit_fail(err, "%s: needs a value", a);
-        if (!strcmp(a, "--scene")) q->scene = v;
-        else if (!strcmp(a, "--pictures")) q->pictures = v;
-        else if (!strcmp(a, "--out")) q->out = v;
-        else if (!strcmp(a, "--context")) q->context = v;
-        else if (!strcmp(a, "--size")) {
-            if (sscanf(v, "%dx%d%c", &q->width, &q->height, &end) != 2 || q->width < 64 || q->height < 64 ||
-                q->width > 8192 || q->height > 8192)
-                return kit_fail(err, "--size %s: must be WxH, each 64 to 8192", v);
-        } else if (!strcmp(a, "--radius")) {
-            if (sscanf(v, "%f%c", &q->radius, &end) != 1 || !(q->radius > 0 && q->radius < 1e9f))
-                return kit_fail(err, "--radius %s: must be above 0", v);
-        } else if (!strcmp(a, "--rays")) {
-            if (sscanf(v, "%d%c", &q->rays, &end) != 1 || q->rays < 2 || q->rays > 65536)
-                return kit_fail(err, "--rays %s: must be 2 to 65536", v);
-        } else return kit_fail(err, "%s: there is no such option", a);
-        ++i;
-    }
+    *q = (quiet){ .scene = "spheres", .out = "build/quiet.csv", .size = { 960, 540 }, .rays = RAYS };
+    if (kit_options(q, options, argc, argv, add_entry, err)) return -1;
     q->peers = !q->lines;
     for (int i = 0; i < COUNT(presets) && q->peers; ++i) if (add_entry(q, presets[i], err)) return -1;
     return 0;
@@ -297,13 +282,13 @@ static int parse(quiet *q, int argc, char **argv, kit_error *err)
 
 static int measure(quiet *q, kit_error *err)
 {
-    const view v = { .name = q->scene, .path = q->scene, .ground = 1, .radius = q->radius };
+    const view v = { .name = q->scene, .path = q->scene, .ground = 1, .radius = (float)q->radius };
     stage *s = &q->stage;
     if (folder_make(FOLDER_CACHE, err) || (q->pictures && folder_make(q->pictures, err)) || kit_gl_open(q->context, err)
         || stage_load(s, &v, err))
         return -1;
     s->rays = q->rays;
-    if (stage_show(s, &v, q->width, q->height, err) || walk_whole(q, "hsao-best", "", err)
+    if (stage_show(s, &v, q->size[0], q->size[1], err) || walk_whole(q, "hsao-best", "", err)
         || shaded_find(&q->shaded, s, &q->walk, err))
         return -1;
     if (kit_gl_is_software()) take_modelled(q);
@@ -321,7 +306,7 @@ int main(int argc, char **argv)
 {
     static quiet q;
     kit_error err = { "" };
-    if (kit_help(argc, argv, usage, help)) return 0;
+    if (kit_help(argc, argv, usage, options)) return 0;
     if (parse(&q, argc, argv, &err) || measure(&q, &err)) {
         fprintf(stderr, "quiet: %s\n", err.text);
         return 2;

@@ -11,7 +11,8 @@ enum { MOST_MOVES = 24 };
    settings after a colon. from: the first seed of scenes, and number of models; count: of scenes, 0: all. */
 typedef struct moves_options {
     const char *scene[MOST_MOVES + 1], *method[MOST_MOVES + 1], *kind[MOST_MOVES + 1];
-    int width, rays, from, quick, count;
+    int scenes, methods, kinds;                /* that the command line named */
+    int width, rays, from, quick, count, moves;
 } moves_options;
 
 /* Asks for the kinds of frames that a host makes: a camera that stands, jitter, changes of size, uneven time. */

@@ -76,93 +76,75 @@ static int stability(const sweep_options *o, kit_error *err)
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
-static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
+static int take_cause(void *to, const char *name, const char *text, kit_error *err)
 {
-    memset(o, 0, sizeof *o);
-    o->out = "report";
-    for (int i = 1; i < argc; ++i) {
-        const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        int k = 0;
-        if (!strcmp(a, "--quick")) {
-            o->quick = 1;
-            continue;
-        }
-        if (strcmp(a, "--out") && strcmp(a, "--cause") && strcmp(a, "--method"))
-            return kit_fail(err, "%s: there is no such argument (--out FOLDER, --quick, --cause NAME, --method NAME)",
-                            a);
-        if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
-        ++i;
-        if (!strcmp(a, "--out")) {
-            o->out = v;
-            continue;
-        }
-        if (!strcmp(a, "--cause")) {
-            while (k < sweeps_causes && strcmp(sweeps_cause[k].name, v)) ++k;
-            if (k == sweeps_causes)
-                return kit_fail(err, "--cause %s: is none (the first column of stability.csv has them)", v);
-            o->causes += !o->cause[k];
-            o->cause[k] = 1;
-        } else {
-            while (k < sweeps_methods && strcmp(sweeps_method[k].label, v)) ++k;
-            if (k == sweeps_methods) return kit_fail(err, "--method %s: is not swept", v);
-            o->methods += !o->method[k];
-            o->method[k] = 1;
-        }
-    }
+    sweep_options *const o = to;
+    int k = 0;
+    while (k < sweeps_causes && strcmp(sweeps_cause[k].name, text)) ++k;
+    if (k == sweeps_causes)
+        return kit_fail(err, "%s %s: is none (the first column of stability.csv has them)", name, text);
+    o->causes += !o->cause[k];
+    o->cause[k] = 1;
     return 0;
 }
 
-static int parse_moves(moves_options *o, int argc, char **argv, kit_error *err)
+static int take_method(void *to, const char *name, const char *text, kit_error *err)
 {
-    const struct { const char *name, **list; int *number, least; } options[] = {
-        { "--scene", o->scene, NULL, 0 },   { "--method", o->method, NULL, 0 }, { "--kind", o->kind, NULL, 0 },
-        { "--width", NULL, &o->width, 64 }, { "--rays", NULL, &o->rays, 16 },   { "--from", NULL, &o->from, 0 } };
-    *o = (moves_options){ .width = 640, .rays = 64 };
-    for (int i = 2; i < argc; i += 2) {
-        const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        int k = 0, n = 0;
-        while (k < COUNT(options) && strcmp(a, options[k].name)) ++k;
-        if (k == COUNT(options))
-            return kit_fail(err,
-                            "--moves %s: there is no such argument (--scene NAME, --method METHOD[:SETTINGS], --kind "
-                            "NAME, --width PIXELS, --rays N, --from SEED)",
-                            a);
-        if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
-        if (options[k].number) {
-            char *end;
-            const long value = strtol(v, &end, 10);
-            if (*end || value < options[k].least || value > 4096)
-                return kit_fail(err, "%s %s: must be %d..4096", a, v, options[k].least);
-            *options[k].number = (int)value;
-            continue;
-        }
-        while (options[k].list[n]) ++n;
-        if (n == MOST_MOVES) return kit_fail(err, "%s: at most %d", a, MOST_MOVES);
-        options[k].list[n] = v;
-    }
+    sweep_options *const o = to;
+    int k = 0;
+    while (k < sweeps_methods && strcmp(sweeps_method[k].label, text)) ++k;
+    if (k == sweeps_methods) return kit_fail(err, "%s %s: is not swept", name, text);
+    o->methods += !o->method[k];
+    o->method[k] = 1;
     return 0;
 }
 
 static const char usage[] = "stability [options] | stability --moves [options]";
-static const kit_help_entry help[] = {
-    { NULL, "Sweeps each method through each cause of failure and measures its error or flicker. It writes "
-            "stability.csv, pictures of each cause and report/index.html, which shows them, and prints a table. "
-            "--cause and --method may be given several times." },
-    { "--cause NAME", "Sweeps that cause alone. The first column of stability.csv has the names." },
-    { "--method NAME", "Sweeps that method alone." },
-    { "--quick", "A smaller run." },
-    { "--out FOLDER", "The folder to write into [report]." },
-    { NULL, "With --moves it prints a table instead: how steady methods are while a camera moves past things that "
-            "stand still. --scene, --method and --kind may be given several times." },
-    { "--scene NAME", "That scene alone." },
-    { "--method METHOD", "That method alone. Settings may follow: hsao:samples=12." },
-    { "--kind NAME", "That kind of movement alone: aside, forward, roll, orbit, cut, \"stop and go\", fast, slow, "
-                     "still, jittered, resized or uneven." },
-    { "--from SEED", "The first seed of the scenes [0]." },
-    { "--width PIXELS", "The width of the images, at least 64 [640]. The height is 9/16 of it." },
-    { "--rays N", "The rays of the ground truth for each pixel, at least 16 [64]." },
-    { NULL, NULL }
+/* The options of sweeps, and behind the second paragraph those of --moves. */
+enum { OF_SWEEPS = 5 };
+#define MOVES(member) .at = offsetof(moves_options, member)
+#define LIST_OF(list, count) .kind = KIT_LIST, MOVES(list), .most = MOST_MOVES, .said = offsetof(moves_options, count)
+static const kit_option options[] = {
+    { .about = "Sweeps each method through each cause of failure and measures its error or flicker. It writes "
+               "stability.csv, pictures of each cause and report/index.html, which shows them, and prints a table. "
+               "--cause and --method may be given several times." },
+    { "--cause", "NAME", "Sweeps that cause alone. The first column of stability.csv has the names.",
+      .kind = KIT_TAKEN, .take = take_cause },
+    { "--method", "NAME", "Sweeps that method alone.", .kind = KIT_TAKEN, .take = take_method },
+    { "--quick", NULL, "A smaller run.", .kind = KIT_FLAG, .at = offsetof(sweep_options, quick) },
+    { "--out", "FOLDER", "The folder to write into [report].", .kind = KIT_TEXT, .at = offsetof(sweep_options, out) },
+    { .about = "With --moves it prints a table instead: how steady methods are while a camera moves past things "
+               "that stand still. --scene, --method and --kind may be given several times." },
+    { "--moves", NULL, "Must be the first argument.", .kind = KIT_FLAG, MOVES(moves) },
+    { "--scene", "NAME", "That scene alone.",
+      LIST_OF(scene, scenes) },
+    { "--method", "METHOD", "That method alone. Settings may follow: hsao:samples=12.",
+      LIST_OF(method, methods) },
+    { "--kind", "NAME", "That kind of movement alone: aside, forward, roll, orbit, cut, \"stop and go\", fast, "
+                        "slow, still, jittered, resized or uneven.",
+      LIST_OF(kind, kinds) },
+    { "--from", "SEED", "The first seed of the scenes [0].",
+      .kind = KIT_WHOLE, MOVES(from), .most = 4096 },
+    { "--width", "PIXELS", "The width of the images, at least 64 [640]. The height is 9/16 of it.",
+      .kind = KIT_WHOLE, MOVES(width), .least = 64, .most = 4096 },
+    { "--rays", "N", "The rays of the ground truth for each pixel, at least 16 [64].",
+      .kind = KIT_WHOLE, MOVES(rays), .least = 16, .most = 4096 },
+    { NULL }
 };
+
+static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
+{
+    kit_option table[OF_SWEEPS + 1] = { { NULL } };
+    memcpy(table, options, OF_SWEEPS * sizeof *table);
+    *o = (sweep_options){ .out = "report" };
+    return kit_options(o, table, argc, argv, NULL, err);
+}
+
+static int parse_moves(moves_options *o, int argc, char **argv, kit_error *err)
+{
+    *o = (moves_options){ .width = 640, .rays = 64 };
+    return kit_options(o, options + OF_SWEEPS, argc, argv, NULL, err);
+}
 
 int main(int argc, char **argv)
 {
@@ -170,7 +152,7 @@ int main(int argc, char **argv)
     moves_options m;
     sweep_options o;
     kit_error err = { "" };
-    if (kit_help(argc, argv, usage, help)) return 0;
+    if (kit_help(argc, argv, usage, options)) return 0;
     kit_streams_open();
     if (!sweeps_load(&err) && !(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err))
         && !kit_gl_open(NULL, &err) && !(moving ? moves(&m, NULL, &err) : stability(&o, &err)))

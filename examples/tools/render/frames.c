@@ -32,7 +32,7 @@ static int parse_line(line *l, char *text)
     l->frame = text;
     if (!*camera) return 1;
     for (const char *c = camera; *c; ++c) commas += *c == ',';
-    if (render_numbers("camera", camera, v, commas == 8 ? 9 : 6, NULL)) return -1;
+    if (kit_numbers("camera", camera, v, commas == 8 ? 9 : 6, NULL)) return -1;
     l->has_camera = 1;
     memcpy(l->camera, v, sizeof l->camera);
     memcpy(l->up, v + 6, sizeof l->up);

@@ -1,149 +1,15 @@
-/* options.c - parses the command line, checks which options exclude each other, prints --help and --list. */
+/* options.c - the table of options, checks of those that exclude each other, --list. */
 #include "render.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* in parts, because C99 only guarantees strings of 4095 characters */
-static const char *const usage[] = {
-    "usage: render MODEL | NAME | random:SEED | --gbuffer FRAME.exr  [options]\n"
-    "  render model.glb --out ao.png\n"
-    "  render room --truth 256 --out truth.exr\n"
-    "  render room --method hsao --set samples=8,blur=1 --score truth.exr --time 20\n"
-    "  render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png\n"
-    "  render room --save-gbuffer frame.exr\n"
-    "  render --gbuffer frame.exr --out ao.png\n"
-    "  render --list | --list hsao | --version\n",
-    "what to draw\n"
-    "  MODEL                 An OBJ, glTF, GLB, PLY, FBX or another file that Assimp reads (without\n"
-    "                        libassimp-dev: OBJ alone). A model that lies far from 0 is drawn about its\n"
-    "                        middle; --camera, --light and saved frames keep its own coordinates.\n"
-    "  NAME, random:SEED     A built-in scene, or a scene by seed: --list names them.\n"
-    "  --gbuffer F.exr       A captured frame. It has Z (view depth above 0) and may have N.X N.Y N.Z\n"
-    "                        (in view space; without them normals are computed from depth), albedo.R ..,\n"
-    "                        direct.R .., farther depth layers layer1.Z .., and for thickness= back.Z,\n"
-    "                        front2.Z and back2.Z. The camera and the radius in its header are the\n"
-    "                        defaults of --camera, --up, --fovy or --ortho-height, and --radius. Files of\n"
-    "                        --save-gbuffer have them, and so have those that\n"
-    "                        examples/tools/capture/capture.py makes of a depth buffer and its\n"
-    "                        projection. Of Blender's multilayer EXR the passes Depth, Normal, DiffCol\n"
-    "                        and DiffDir are read; its normals are of the world and need --camera.\n"
-    "  --layer NAME          The view layer of a frame that has several.\n"
-    "  --channel Z=NAME      Channel NAME of a frame is its Z; likewise N.X and the others.\n"
-    "  --camera ex,ey,ez,tx,ty,tz\n"
-    "                        The eye and the target.\n"
-    "  --up x,y,z            The direction that is up [0,1,0; of Blender's frames 0,0,1].\n"
-    "  --near N, --far F     The planes, as view depths. An orthographic near plane may lie behind the\n"
-    "                        eye (below 0).\n"
-    "  --size WxH            The size of the picture in pixels.\n"
-    "  --fovy DEGREES        The vertical angle of view. Of a frame whose data window is not its display\n"
-    "                        window: that of the display window.\n"
-    "  --ortho-height UNITS  An orthographic camera: the height of its picture in units of the scene.\n"
-    "  --ground              A square under the mesh.\n"
-    "  --flat                The mesh has the normals of its faces. Without it, it has the normals of its\n"
-    "                        file, or those of its faces where the file has none.\n",
-    "  --env NAME            The environment's radiance, for lit methods: F.exr or F.hdr (latitude and\n"
-    "                        longitude), sky, probe, windows, street or white. Scenes by seed have their\n"
-    "                        own light unless --env or --light is given.\n"
-    "  --env-turn DEGREES    Turns the environment anticlockwise, seen from above.\n"
-    "  --env-strength F      Multiplies the environment by F.\n"
-    "  --light point:x,y,z,r,g,b\n"
-    "                        A point light: its place and its radiant intensity.\n"
-    "  --light sun:x,y,z,r,g,b\n"
-    "                        A sun: the direction to it, and the irradiance of a surface that faces it.\n"
-    "                        There may be up to 16 lights.\n"
-    "  --sequence FRAMES.txt A line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz], or FRAME.exr alone\n"
-    "                        where it has its camera. Frames may have motion.X and motion.Y: how many\n"
-    "                        pixels away a point was in the frame before, +y down. --out has a %04d. All\n"
-    "                        frames are read, and must have one size and the same channels, before the\n"
-    "                        first picture is written. The first one's radius is that of all.\n"
-    "  --frames N --orbit DEGREES\n"
-    "                        So many pictures of a scene, so far apart about the target. Each is written\n"
-    "                        when it is drawn; where one fails, those before it stay.\n"
-    "  --slide X,Y,Z         The first object that casts stands so far from its place; with --frames it\n"
-    "                        moves so far a frame.\n"
-    "  --still N             The last of N frames of a view that stays, for methods that keep history.\n",
-    "how\n"
-    "  --method NAME         [hsao] --list names all methods, --list NAME the settings of one.\n"
-    "  --set key=value,..    Settings of the method.\n"
-    "  --radius R            The distance of the farthest occluder, in units of the scene [the scene's or\n"
-    "                        the frame's own].\n"
-    "  --radius guess        How far apart the tops of the scene's mesh are.\n"
-    "  --plan WHAT:ERROR[:BUDGET]\n"
-    "                        WHAT is visibility, light, bounce or objects (occlusion between them). Draws\n"
-    "                        by the cheapest method whose predicted error is ERROR or less. BUDGET is a\n"
-    "                        cost in 16-sample SSAOs, or in milliseconds of an RX 6800: 0.3ms. Light and\n"
-    "                        bounce depend on --env and --light.\n"
-    "  --truth RAYS          Ground truth of the quantity that --method computes, by so many rays a pixel\n"
-    "                        (dss-scatter: thousands of samples), with the normals of the mesh, or with\n"
-    "                        --flat those of its faces.\n"
-    "  --floor RAYS          Instead of a method: rays against the sheet that the frame's pixels make.\n"
-    "                        The sheet has no thickness, and nothing that it hides occludes. Methods\n"
-    "                        that guess what is hidden may have a smaller error.\n"
-    "  --context osmesa | egl | egl-es\n"
-    "                        The source of the GL context [osmesa, or egl where there is none].\n",
-    "what comes out\n"
-    "  --out F.exr | F.png   Y is ambient visibility. Of lit methods R G B is the light, and an EXR has\n"
-    "                        irradiance.R .. and bounce.R .., too; a PNG has R G B in sRGB.\n"
-    "  --colours             --out of a method of visibility is that times the surfaces' colours, R G B.\n"
-    "  --backdrop            --out shows the environment where there is no surface.\n"
-    "  --score REF.exr       Prints RMSE, bias, p95 and SSIM against a reference, and each of them for\n"
-    "                        edges (within 3 pixels of a jump in depth), for the border (nearer to it\n"
-    "                        than the radius is long) and for the interior.\n"
-    "  --time N              Prints the median GL time of each pass over N frames.\n"
-    "  --save-gbuffer F.exr  The G-buffer, as --gbuffer reads it, with the camera, the radius, and the\n"
-    "                        channels that layers= and thickness= of --set read.\n"
-    "  --json                Prints figures for programs.\n"
-    "  --version             Prints the version of the library.\n"
-};
-
-void render_usage(FILE *to)
-{
-    for (size_t i = 0; i < sizeof usage / sizeof *usage; ++i) fputs(usage[i], to);
-}
-
 /* ---- >>values ---------------------------------------------------------------------------------------------------- */
 
-/* Reads numbers in world units, up to KIT_MOST, so that floats can compute with them. */
-int render_numbers(const char *name, const char *text, double *out, int count, kit_error *err)
+static int take_plan(void *to, const char *name, const char *text, kit_error *err)
 {
-    double v[9];
-    const char *at = text;
-    for (int i = 0; i < count; ++i) {
-        char *end;
-        v[i] = strtod(at, &end);
-        if (end == at || *end != (i + 1 < count ? ',' : 0))
-            return kit_fail(err, "%s %s: must be %d numbers with commas between", name, text, count);
-        if (!(fabs(v[i]) <= KIT_MOST))
-            return kit_fail(err, "%s %s: its numbers must be in -%g..%g", name, text, KIT_MOST, KIT_MOST);
-        at = end + 1;
-    }
-    memcpy(out, v, (size_t)count * sizeof *v);
-    return 0;
-}
-
-static int number(const char *name, const char *text, double least, double most, double *out, kit_error *err)
-{
-    char *end;
-    double v = strtod(text, &end);
-    if (end == text || *end || !(v >= least && v <= most))
-        return kit_fail(err, "%s %s: must be a number in %g..%g", name, text, least, most);
-    *out = v;
-    return 0;
-}
-
-static int whole(const char *name, const char *text, int least, int most, int *out, kit_error *err)
-{
-    double v;
-    if (number(name, text, least, most, &v, err)) return -1;
-    if (v != floor(v)) return kit_fail(err, "%s %s: must be a whole number", name, text);
-    *out = (int)v;
-    return 0;
-}
-
-static int take_plan(options *o, const char *name, const char *text, kit_error *err)
-{
+    options *const o = to;
     static const char *const wanted[] = { "visibility:", "light:", "bounce:", "objects:" };
     enum { WANTED = (int)(sizeof wanted / sizeof *wanted) };
     char *end;
@@ -168,18 +34,10 @@ int render_plans_light(const options *o)
     return o->planned - 1 == SSGI_PLAN_WANTED_LIGHT || o->planned - 1 == SSGI_PLAN_WANTED_BOUNCE;
 }
 
-/* Returns the number of digits with which a text begins, and moves *at past them; 0: none, or it is above most. */
-static int digits(const char **at, int most)
-{
-    int v = 0;
-    for (; **at >= '0' && **at <= '9'; ++*at) v = v > most ? v : 10 * v + (**at - '0');
-    return v > most ? 0 : v;
-}
-
 int render_numbered(char *out, size_t size, const char *path, int k)
 {
     const char *at = strchr(path, '%'), *end = at ? at + 1 : "";
-    const int wide = digits(&end, 9);
+    const int wide = kit_digits(&end, 9);
     if (*end != 'd' || (end > at + 1 && !wide) || strchr(end, '%')) return 0;
     const int n = snprintf(out, size, "%.*s%0*d%s", (int)(at - path), path, wide, k, end + 1);
     return !out || (n > 0 && (size_t)n < size);
@@ -187,102 +45,121 @@ int render_numbered(char *out, size_t size, const char *path, int k)
 
 /* ---- >>table ---------------------------------------------------------------------------------------------------- */
 
-static int take_size(options *o, const char *name, const char *text, kit_error *err)
+static int take_radius(void *to, const char *name, const char *text, kit_error *err)
 {
-    const char *at = text;
-    const int width = digits(&at, 16384), cross = *at == 'x', height = cross ? (++at, digits(&at, 16384)) : 0;
-    if (!width || !height || *at) return kit_fail(err, "%s %s: must be WxH, each 1..16384", name, text);
-    o->width = width;
-    o->height = height;
-    return 0;
-}
-
-static int take_radius(options *o, const char *name, const char *text, kit_error *err)
-{
+    options *const o = to;
     o->guess = !strcmp(text, "guess");
-    if (!o->guess) return number(name, text, 1e-12, KIT_MOST, &o->radius, err);
+    if (!o->guess) return kit_number(name, text, 1e-12, KIT_MOST, &o->radius, err);
     o->radius = 0;
     return 0;
 }
 
-/* An option: the function that takes its value, or the member of options that gets it. FLAG: no value; NUMBERS: `least`
-   of them; LIST: appended to at most `most`, with member `said` as count; else `said`, unless 0, becomes 1. */
-typedef struct option {
-    const char *name;
-    enum { TAKEN, FLAG, TEXT, WHOLE, NUMBER, NUMBERS, LIST } kind;
-    size_t      at;                  /* offset of an int, const char *, int, double, double[], const char *[] by kind */
-    double      least, most;
-    size_t      said;
-    int       (*take)(options *o, const char *name, const char *text, kit_error *err);
-} option;
-#define TO(member) offsetof(options, member)
-static const option table[] = {
-    { "--help", FLAG, TO(help), 0, 0, 0, NULL },
-    { "-h", FLAG, TO(help), 0, 0, 0, NULL },
-    { "--version", FLAG, TO(version), 0, 0, 0, NULL },
-    { "--json", FLAG, TO(json), 0, 0, 0, NULL },
-    { "--ground", FLAG, TO(ground), 0, 0, 0, NULL },
-    { "--flat", FLAG, TO(flat), 0, 0, 0, NULL },
-    { "--colours", FLAG, TO(colours), 0, 0, 0, NULL },
-    { "--backdrop", FLAG, TO(backdrop), 0, 0, 0, NULL },
-    { "--gbuffer", TEXT, TO(gbuffer), 0, 0, 0, NULL },
-    { "--sequence", TEXT, TO(sequence), 0, 0, 0, NULL },
-    { "--frames", WHOLE, TO(frames), 1, 9999, 0, NULL },
-    { "--still", WHOLE, TO(still), 1, 9999, 0, NULL },
-    { "--orbit", NUMBER, TO(orbit), -360, 360, 0, NULL },
-    { "--slide", NUMBERS, TO(slide), 3, 0, TO(has_slide), NULL },
-    { "--method", TEXT, TO(method), 0, 0, 0, NULL },
-    { "--score", TEXT, TO(score), 0, 0, 0, NULL },
-    { "--out", TEXT, TO(out), 0, 0, 0, NULL },
-    { "--save-gbuffer", TEXT, TO(save), 0, 0, 0, NULL },
-    { "--context", TEXT, TO(context), 0, 0, 0, NULL },
-    { "--set", LIST, TO(set), 0, RENDER_SETS, TO(sets), NULL },
-    { "--layer", TEXT, TO(layer), 0, 0, 0, NULL },
-    { "--channel", LIST, TO(channel), 0, RENDER_SETS, TO(channels), NULL },
-    { "--env", TEXT, TO(env), 0, 0, 0, NULL },
-    { "--env-turn", NUMBER, TO(turn), -360, 360, 0, NULL },
-    { "--env-strength", NUMBER, TO(strength), 0, 1e6, 0, NULL },
-    { "--light", LIST, TO(light), 0, KIT_MAX_LIGHTS, TO(lights), NULL },
-    { "--camera", NUMBERS, TO(camera), 6, 0, TO(has_camera), NULL },
-    { "--up", NUMBERS, TO(up), 3, 0, TO(has_up), NULL },
-    { "--fovy", NUMBER, TO(fovy), 0.1, 179, 0, NULL },
-    { "--ortho-height", NUMBER, TO(ortho_height), 1e-12, KIT_MOST, 0, NULL },
-    { "--near", NUMBER, TO(znear), -KIT_MOST, KIT_MOST, TO(has_near), NULL },
-    { "--far", NUMBER, TO(zfar), 1e-12, KIT_MOST, 0, NULL },
-    { "--plan", TAKEN, 0, 0, 0, 0, take_plan },
-    { "--radius", TAKEN, 0, 0, 0, 0, take_radius },
-    { "--truth", WHOLE, TO(truth), 1, 65536, 0, NULL },
-    { "--floor", WHOLE, TO(floor), 1, 65536, 0, NULL },
-    { "--time", WHOLE, TO(time), 1, 100000, 0, NULL },
-    { "--size", TAKEN, 0, 0, 0, 0, take_size }
+static const char usage[] = "render MODEL | NAME | random:SEED | --gbuffer FRAME.exr  [options]\n"
+                            "  render model.glb --out ao.png\n"
+                            "  render room --truth 256 --out truth.exr\n"
+                            "  render room --method hsao --set samples=8,blur=1 --score truth.exr --time 20\n"
+                            "  render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png\n"
+                            "  render room --save-gbuffer frame.exr\n"
+                            "  render --gbuffer frame.exr --out ao.png\n"
+                            "  render --list | --list hsao | --version";
+#define TO(member) .at = offsetof(options, member)
+static const kit_option table[] = {
+    { .about = "what to draw" },
+    { "MODEL", NULL, "An OBJ, glTF, GLB, PLY, FBX or another file that Assimp reads (without libassimp-dev: OBJ "
+                     "alone). A model that lies far from 0 is drawn about its middle; --camera, --light and saved "
+                     "frames keep its own coordinates.", .kind = KIT_TOLD },
+    { "NAME, random:SEED", NULL, "A built-in scene, or a scene by seed: --list names them.", .kind = KIT_TOLD },
+    { "--gbuffer", "F.exr", "A captured frame. It has Z (view depth above 0) and may have N.X N.Y N.Z (in view "
+                            "space; without them normals are computed from depth), albedo.R .., direct.R .., "
+                            "farther depth layers layer1.Z .., and for thickness= back.Z, front2.Z and back2.Z. The "
+                            "camera and the radius in its header are the defaults of --camera, --up, --fovy or "
+                            "--ortho-height, and --radius. Files of --save-gbuffer have them, and so have those "
+                            "that examples/tools/capture/capture.py makes of a depth buffer and its projection. Of "
+                            "Blender's multilayer EXR the passes Depth, Normal, DiffCol and DiffDir are read; its "
+                            "normals are of the world and need --camera.", .kind = KIT_TEXT, TO(gbuffer) },
+    { "--layer", "NAME", "The view layer of a frame that has several.", .kind = KIT_TEXT, TO(layer) },
+    { "--channel", "Z=NAME", "Channel NAME of a frame is its Z; likewise N.X and the others.",
+      .kind = KIT_LIST, TO(channel), .most = RENDER_SETS, .said = offsetof(options, channels) },
+    { "--camera", "ex,ey,ez,tx,ty,tz", "The eye and the target.",
+      .kind = KIT_NUMBERS, TO(camera), .least = 6, .said = offsetof(options, has_camera) },
+    { "--up", "x,y,z", "The direction that is up [0,1,0; of Blender's frames 0,0,1].",
+      .kind = KIT_NUMBERS, TO(up), .least = 3, .said = offsetof(options, has_up) },
+    { "--near", "N", "The near plane, as a view depth. An orthographic one may lie behind the eye (below 0).",
+      .kind = KIT_NUMBER, TO(znear), .least = -KIT_MOST, .most = KIT_MOST, .said = offsetof(options, has_near) },
+    { "--far", "F", "The far plane, as a view depth.", .kind = KIT_NUMBER, TO(zfar), .least = 1e-12, .most = KIT_MOST },
+    { "--size", "WxH", "The size of the picture in pixels.", .kind = KIT_SIZE, TO(size), .least = 1, .most = 16384 },
+    { "--fovy", "DEGREES", "The vertical angle of view. Of a frame whose data window is not its display window: "
+                           "that of the display window.", .kind = KIT_NUMBER, TO(fovy), .least = 0.1, .most = 179 },
+    { "--ortho-height", "UNITS", "An orthographic camera: the height of its picture in units of the scene.",
+      .kind = KIT_NUMBER, TO(ortho_height), .least = 1e-12, .most = KIT_MOST },
+    { "--ground", NULL, "A square under the mesh.", .kind = KIT_FLAG, TO(ground) },
+    { "--flat", NULL, "The mesh has the normals of its faces. Without it, it has the normals of its file, or those "
+                      "of its faces where the file has none.", .kind = KIT_FLAG, TO(flat) },
+    { "--env", "NAME", "The environment's radiance, for lit methods: F.exr or F.hdr (latitude and longitude), sky, "
+                       "probe, windows, street or white. Scenes by seed have their own light unless --env or "
+                       "--light is given.", .kind = KIT_TEXT, TO(env) },
+    { "--env-turn", "DEGREES", "Turns the environment anticlockwise, seen from above.",
+      .kind = KIT_NUMBER, TO(turn), .least = -360, .most = 360 },
+    { "--env-strength", "F", "Multiplies the environment by F.", .kind = KIT_NUMBER, TO(strength), .most = 1e6 },
+    { "--light", "point:x,y,z,r,g,b", "A point light: its place and its radiant intensity.",
+      .kind = KIT_LIST, TO(light), .most = KIT_MAX_LIGHTS, .said = offsetof(options, lights) },
+    { "--light", "sun:x,y,z,r,g,b", "A sun: the direction to it, and the irradiance of a surface that faces it. "
+                                    "There may be up to 16 lights.", .kind = KIT_TOLD },
+    { "--sequence", "FRAMES.txt", "A line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz], or FRAME.exr alone where "
+                                  "it has its camera. Frames may have motion.X and motion.Y: how many pixels away a "
+                                  "point was in the frame before, +y down. --out has a %04d. All frames are read, "
+                                  "and must have one size and the same channels, before the first picture is "
+                                  "written. The first one's radius is that of all.", .kind = KIT_TEXT, TO(sequence) },
+    { "--frames", "N", "So many pictures of a scene, so far apart about the target. Each is written when it is "
+                       "drawn; where one fails, those before it stay.",
+      .kind = KIT_WHOLE, TO(frames), .least = 1, .most = 9999 },
+    { "--orbit", "DEGREES", "The angle between two of --frames.",
+      .kind = KIT_NUMBER, TO(orbit), .least = -360, .most = 360 },
+    { "--slide", "X,Y,Z", "The first object that casts stands so far from its place; with --frames it moves so far "
+                          "a frame.",
+      .kind = KIT_NUMBERS, TO(slide), .least = 3, .said = offsetof(options, has_slide) },
+    { "--still", "N", "The last of N frames of a view that stays, for methods that keep history.",
+      .kind = KIT_WHOLE, TO(still), .least = 1, .most = 9999 },
+    { .about = "how" },
+    { "--method", "NAME", "[hsao] --list names all methods, --list NAME the settings of one.",
+      .kind = KIT_TEXT, TO(method) },
+    { "--set", "key=value,..", "Settings of the method.",
+      .kind = KIT_LIST, TO(set), .most = RENDER_SETS, .said = offsetof(options, sets), .empty = 1 },
+    { "--radius", "R", "The distance of the farthest occluder, in units of the scene [the scene's or the frame's "
+                       "own].", .kind = KIT_TAKEN, .take = take_radius },
+    { "--radius", "guess", "How far apart the tops of the scene's mesh are.", .kind = KIT_TOLD },
+    { "--plan", "WHAT:ERROR[:BUDGET]", "WHAT is visibility, light, bounce or objects (occlusion between them). "
+                                       "Draws by the cheapest method whose predicted error is ERROR or less. BUDGET "
+                                       "is a cost in 16-sample SSAOs, or in milliseconds of an RX 6800: 0.3ms. "
+                                       "Light and bounce depend on --env and --light.",
+      .kind = KIT_TAKEN, .take = take_plan },
+    { "--truth", "RAYS", "Ground truth of the quantity that --method computes, by so many rays a pixel "
+                         "(dss-scatter: thousands of samples), with the normals of the mesh, or with --flat those "
+                         "of its faces.", .kind = KIT_WHOLE, TO(truth), .least = 1, .most = 65536 },
+    { "--floor", "RAYS", "Instead of a method: rays against the sheet that the frame's pixels make. The sheet has "
+                         "no thickness, and nothing that it hides occludes. Methods that guess what is hidden may "
+                         "have a smaller error.", .kind = KIT_WHOLE, TO(floor), .least = 1, .most = 65536 },
+    { "--context", "osmesa | egl | egl-es", "The source of the GL context [osmesa, or egl where there is none].",
+      .kind = KIT_TEXT, TO(context) },
+    { .about = "what comes out" },
+    { "--out", "F.exr | F.png", "Y is ambient visibility. Of lit methods R G B is the light, and an EXR has "
+                                "irradiance.R .. and bounce.R .., too; a PNG has R G B in sRGB.",
+      .kind = KIT_TEXT, TO(out) },
+    { "--colours", NULL, "--out of a method of visibility is that times the surfaces' colours, R G B.",
+      .kind = KIT_FLAG, TO(colours) },
+    { "--backdrop", NULL, "--out shows the environment where there is no surface.", .kind = KIT_FLAG, TO(backdrop) },
+    { "--score", "REF.exr", "Prints RMSE, bias, p95 and SSIM against a reference, and each of them for edges "
+                            "(within 3 pixels of a jump in depth), for the border (nearer to it than the radius is "
+                            "long) and for the interior.", .kind = KIT_TEXT, TO(score) },
+    { "--time", "N", "Prints the median GL time of each pass over N frames.",
+      .kind = KIT_WHOLE, TO(time), .least = 1, .most = 100000 },
+    { "--save-gbuffer", "F.exr", "The G-buffer, as --gbuffer reads it, with the camera, the radius, and the "
+                                 "channels that layers= and thickness= of --set read.", .kind = KIT_TEXT, TO(save) },
+    { "--json", NULL, "Prints figures for programs.", .kind = KIT_FLAG, TO(json) },
+    { NULL }
 };
 
-/* Takes an option and its value, which may be missing. Returns the number of arguments taken; -1: refused. */
-static int take(options *o, const char *name, const char *text, kit_error *err)
-{
-    const option *t = table, *const end = table + sizeof table / sizeof *table;
-    while (t < end && strcmp(name, t->name)) ++t;
-    if (t == end) return kit_fail(err, "%s: there is no such option (--help names all)", name);
-    void *const member = (char *)o + t->at;
-    int *const said = (int *)(void *)((char *)o + t->said);
-    int failed = 0;
-    if (t->kind == FLAG) return *(int *)member = 1;
-    if (!text) return kit_fail(err, "%s: needs a value", name);
-    if (!*text && strcmp(name, "--set")) return kit_fail(err, "%s: its value is empty", name);
-    if (t->said && t->kind != LIST) *said = 1;
-    switch (t->kind) {
-    case TEXT:    memcpy(member, &text, sizeof text); break;
-    case WHOLE:   failed = whole(name, text, (int)t->least, (int)t->most, member, err); break;
-    case NUMBER:  failed = number(name, text, t->least, t->most, member, err); break;
-    case NUMBERS: failed = render_numbers(name, text, member, (int)t->least, err); break;
-    case LIST:
-        if (*said >= (int)t->most) return kit_fail(err, "%s %s: at most %g of them", name, text, t->most);
-        ((const char **)member)[(*said)++] = text;
-        break;
-    default: failed = t->take(o, name, text, err);
-    }
-    return failed ? -1 : 2;
-}
+int render_help(int argc, char **argv) { return kit_help(argc, argv, usage, table); }
 
 /* ---- >>options that exclude each other --------------------------------------------------------------------------- */
 
@@ -332,7 +209,7 @@ static int check_source(const options *o, kit_error *err)
     if (o->gbuffer && o->guess) return kit_fail(err, "--radius guess: needs a scene; a frame has no mesh");
     if (!o->gbuffer && (o->layer || o->channels))
         return kit_fail(err, "--%s: needs a frame (--gbuffer)", o->layer ? "layer" : "channel");
-    if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
+    if (o->gbuffer && o->size[0]) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
     if (o->has_near && o->zfar > 0 && !(o->znear < o->zfar))
         return kit_fail(err, "--far %g: must be beyond --near %g", o->zfar, o->znear);
@@ -371,12 +248,12 @@ int render_parse(options *o, int argc, char **argv, kit_error *err)
             o->list = 1;
             if (v && *v != '-') o->listed = v, taken = 2;
         } else if (*a == '-') {
-            if ((taken = take(o, a, v, err)) < 0) return -1;
+            if ((taken = kit_option_take(o, table, a, v, err)) < 0) return -1;
         } else if (o->scene) {
             return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
         } else o->scene = a;
     }
-    if (o->list || o->help || o->version) return 0;
+    if (o->list) return 0;
     if (o->sequence && (o->scene || o->gbuffer || o->has_camera || o->frames))
         return kit_fail(err, "--sequence %s: names its frames and cameras itself", o->sequence);
     if (o->sequence) o->gbuffer = o->sequence;

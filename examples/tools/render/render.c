@@ -45,7 +45,7 @@ static void camera_of(kit_camera *c, const options *o, const double origin[3])
         c->znear = (float)before;
         if (o->zfar > 0) c->zfar = (float)(o->zfar + by);
     }
-    if (o->width) { c->width = o->width; c->height = o->height; }
+    if (o->size[0]) { c->width = o->size[0]; c->height = o->size[1]; }
 }
 
 static int camera_check(const kit_camera *c, kit_error *err)
@@ -444,15 +444,13 @@ int main(int argc, char **argv)
     kit_error err = { "" };
     int failed;
     kit_streams_open();
-    if (argc < 2) { render_usage(stderr); return 2; }
+    if (render_help(argc, argv)) return kit_streams_close(&err) ? fail(err.text) : 0;
     j.world.lighting = &j.lighting;
     failed = render_parse(&j.o, argc, argv, &err);
-    if (!failed && j.o.help) render_usage(stdout);
-    else if (!failed && j.o.version) printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
-    else if (!failed && j.o.list) failed = render_list(j.o.listed, &err);
+    if (!failed && j.o.list) failed = render_list(j.o.listed, &err);
     else if (!failed) failed = do_job(&j, &err);
     if (failed) return fail(err.text);
     if (kit_streams_close(&err)) return fail(err.text);
-    if (!j.o.list && !j.o.help && !j.o.version) end_job(&j);
+    if (!j.o.list) end_job(&j);
     return 0;
 }

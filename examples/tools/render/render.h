@@ -12,7 +12,7 @@ typedef struct options {
     /* the input: a scene, a frame, or a list of frames; its light */
     const char *scene, *gbuffer, *sequence, *env, *light[KIT_MAX_LIGHTS];
     const char *layer, *channel[RENDER_SETS];          /* names in another program's frame */
-    int         channels, lights, ground, flat, frames, still, width, height;
+    int         channels, lights, ground, flat, frames, still, size[2];
     double      turn, strength;            /* of env */
     double      orbit;                     /* degrees for each frame */
     int         has_camera, has_up, has_near, has_slide;
@@ -29,15 +29,14 @@ typedef struct options {
     int         plan_in_ms;                /* 1: the budget is in modelled milliseconds of an RX 6800 */
     /* the output */
     const char *out, *score, *save, *listed;
-    int         time, json, list, help, version, colours, backdrop;
+    int         time, json, list, colours, backdrop;
 } options;
 
-/* Prints all options. */
-void render_usage(FILE *to);
+/* As kit_help. */
+int  render_help(int argc, char **argv);
 int  render_parse(options *o, int argc, char **argv, kit_error *err);
 /* Prints all methods and scenes, a line each; or the settings of the method of that name. */
 int  render_list(const char *name, kit_error *err);
-int  render_numbers(const char *name, const char *text, double *out, int count, kit_error *err);
 /* Returns whether the plan is for light, which the planned method may compute from ambient visibility. */
 int  render_plans_light(const options *o);
 /* Replaces the one %d, or %04d, of a path by a number. Returns 0 if it has none, or the result does not fit. */
