@@ -285,12 +285,13 @@ install:
 uninstall:
 	@for f in $(INSTALLED); do rm -f '$(TO)'/$$f; done; rmdir '$(TO)/share/cmake/ssgi' 2>/dev/null || true
 
-# One library with all functions of both headers, for languages that call C but do not compile it.
+# All functions of both headers as one library, and libssgi.h, its declarations without directives, as cffi reads them.
 SHARED = build/libssgi.so
-shared: $(SHARED)
-$(SHARED): ssgi.h ssgi_gl.h
+shared: $(SHARED:.so=.h)
+$(SHARED:.so=.h): ssgi.h ssgi_gl.h
 	@mkdir -p $(@D)
-	@$(CC) -std=c99 -O2 -fPIC -shared -DSSGI_IMPLEMENTATION -DSSGI_GL_IMPLEMENTATION -x c ssgi_gl.h -o $@ -lm
+	@$(CC) -std=c99 -O2 -fPIC -shared -DSSGI_IMPLEMENTATION -DSSGI_GL_IMPLEMENTATION -x c ssgi_gl.h -o $(SHARED) -lm
+	@$(CC) -std=c99 -E -P '-D__attribute__(x)=' ssgi_gl.h -o $@
 
 # The headers as WebAssembly, without a C library; examples/tools/wasm/ssgi.mjs loads it.
 WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Oz -fno-builtin -fno-math-errno -fdata-sections \
@@ -444,9 +445,8 @@ HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl pytho
                 libvtk9-dev
 NPM_HOSTS = $(NPM) build/hosts babylonjs@9.34.0 \
             playcanvas@2.23.3 three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0 postprocessing@6.39.6
-hosts-test: build/render build/rmse web-deps
-	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done
-	@mkdir -p build/hosts
+hosts-test: build/render build/rmse web-deps shared
+	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done; mkdir -p build/hosts
 	@test -d build/hosts/node_modules/postprocessing || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
 	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm
 	@sh tests/hosts.sh $(ONLY)

@@ -5235,7 +5235,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    New: SSGI_GL_MAX_STEPS. desc.shader.compute: passes that write whole pictures as compute shaders:
    SSGI_GL_STAGE_COMPUTE, ssgi_gl_step.groups, ssgi_gl_output.set and .binding, and desc.shader.output_set,
    .group_width, .group_height.
-   make shared builds build/libssgi.so, which has all functions of both headers, for other languages.
+   make shared builds build/libssgi.so, which has all functions of both headers, for other languages, and
+   build/libssgi.h, their declarations without directives, as cffi reads them.
 
    Methods have names: ssgi_gl_method_at lists them, ssgi_gl_chain_of fills a chain by a name and FIELD=VALUE behind it,
    ssgi_gl_frame_of sets the frame's values that suit a chain, ssgi_gl_steps_of does all of it. The fields of

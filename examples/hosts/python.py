@@ -1,12 +1,14 @@
 #!/usr/bin/python3
-"""python.py - ambient occlusion without a window: moderngl on EGL, and cffi, which reads the headers.
-      python3 examples/hosts/python.py [FILE.pgm]           (Debian: python3-moderngl python3-cffi gcc libegl1)
-Depth of boxes on a slab is drawn; between the lines of "====" ssgi computes ambient visibility from it."""
-import array, os, subprocess, sys, tempfile
+"""python.py - ambient occlusion without a window: moderngl on EGL, and the library of make shared.
+      make shared && python3 examples/hosts/python.py [FILE.pgm]      (Debian: python3-moderngl python3-cffi libegl1)
+Depth of boxes on a slab is drawn; between the lines of "====" ssgi computes ambient visibility from it. make shared
+writes build/libssgi.so and build/libssgi.h, the declarations of both headers without a directive. cffi reads these, so
+that structs, constants and functions have the names of ssgi_gl.h, and this program needs no compiler."""
+import array, os, sys
 import cffi, moderngl
 
 WIDTH, HEIGHT, RADIUS = 960, 540, 1.0  # radius: the distance of the farthest occluders
-HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'ssgi_gl.h')
+LIBRARY = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'build', 'libssgi')
 
 
 def boxes():
@@ -37,13 +39,11 @@ gl.enable_only(gl.DEPTH_TEST)
 gl.vertex_array(scene, gl.buffer(array.array('f', boxes())), 'p').render()
 
 # ==== ssgi ============================================================================================================
-folder = tempfile.TemporaryDirectory()
-library = folder.name + '/ssgi.so'
-subprocess.run(['gcc', '-O2', '-shared', '-fPIC', '-x', 'c', '-DSSGI_IMPLEMENTATION', '-DSSGI_GL_IMPLEMENTATION',
-                HEADER, '-o', library, '-lm'], check=True)
 c = cffi.FFI()
-c.cdef(subprocess.check_output(['gcc', '-E', '-P', '-D__attribute__(x)=', HEADER], text=True))
-ssgi = c.dlopen(library)
+try:
+    with open(LIBRARY + '.h') as declarations: c.cdef(declarations.read())
+    ssgi = c.dlopen(LIBRARY + '.so')
+except OSError as error: sys.exit(f'python.py: make shared is missing: {error}')
 why = c.new('const char **')
 
 
@@ -58,15 +58,11 @@ def text(desc, stage):
     return c.string(out).decode()
 
 
-chain, view, frame = c.new('ssgi_gl_chain *'), c.new('ssgi_view *'), c.new('ssgi_gl_frame *')
-setattr(chain.desc, 'pass', ssgi.SSGI_GL_PASS_HSAO)  # pass is a keyword of Python
-chain.desc.input.normal = ssgi.SSGI_GL_NORMAL_FROM_DEPTH
-chain.width, chain.height, chain.blur = WIDTH, HEIGHT, 1
-right(ssgi.ssgi_gl_preset(c.addressof(chain.desc), ssgi.SSGI_GL_PRESET_BALANCED, why) == ssgi.SSGI_OK)
+view, frame = c.new('ssgi_view *'), c.new('ssgi_gl_frame *')
 right(ssgi.ssgi_view_from_projection(view, projection, ssgi.SSGI_CLIP_GL, WIDTH, HEIGHT, why) == ssgi.SSGI_OK)
-right(ssgi.ssgi_gl_frame_init(frame, view, RADIUS, why) == ssgi.SSGI_OK)
-steps = c.new('ssgi_gl_step[]', right(ssgi.ssgi_gl_steps(c.NULL, 0, chain, why)))
-ssgi.ssgi_gl_steps(steps, len(steps), chain, why)
+method = frame, b'hsao,normal=from_depth', view, RADIUS, why
+steps = c.new('ssgi_gl_step[]', right(ssgi.ssgi_gl_steps_of(c.NULL, 0, *method)))
+ssgi.ssgi_gl_steps_of(steps, len(steps), *method)
 
 yours, textures = {ssgi.SSGI_GL_YOUR_DEPTH: depth}, {}
 gl.buffer(c.buffer(frame)).bind_to_uniform_block(0)
