@@ -442,7 +442,7 @@ viewer-test: build/render build/rmse
 # Builds the pages of examples/hosts without a warning and runs them: their occlusion beside build/render's. Hosts whose
 # packages are missing are skipped by name. ONLY="glfw sdl": only those hosts.
 HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl python3-cffi libegl1 libopenscenegraph-dev \
-                libvtk9-dev
+                libvtk9-dev libogre-1.12-dev
 NPM_HOSTS = $(NPM) build/hosts babylonjs@9.34.0 \
             playcanvas@2.23.3 three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0 postprocessing@6.39.6
 hosts-test: build/render build/rmse web-deps shared

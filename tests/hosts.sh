@@ -218,4 +218,13 @@ if wanted openscenegraph; then
             "$(cmp -s $work/openscenegraph-before.png $work/openscenegraph-after.png || echo 1)"
     fi
 fi
+
+# Its rows run down, so the dither has another pattern, as in three-webgpu.
+if wanted ogre; then
+    if ! pkg-config --exists OGRE; then skip 'ogre, Ogre 1 is missing (apt-get install libogre-1.12-dev)'
+    elif build ogre examples/hosts/ogre.cpp; then
+        OGRE_PLUGIN_DIR=$(pkg-config --variable=plugindir OGRE) $work/ogre $work/ogre.png
+        near 'ogre' $work/ogre.png $work/gbuffer.png 0.02
+    fi
+fi
 finish
