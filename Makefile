@@ -445,7 +445,7 @@ HOST_PACKAGES = xvfb libglfw3-dev libsdl2-dev libgles-dev python3-moderngl pytho
                 libvtk9-dev libogre-1.12-dev
 NPM_HOSTS = $(NPM) build/hosts babylonjs@9.34.0 \
             playcanvas@2.23.3 three@0.187.0 vite@7.3.8 typescript@5.9.3 @types/three@0.187.0 postprocessing@6.39.6
-hosts-test: build/render build/rmse web-deps shared
+hosts-test: build/render build/rmse build/glsl-text web-deps shared
 	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done; mkdir -p build/hosts
 	@test -d build/hosts/node_modules/postprocessing || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
 	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm

@@ -44,9 +44,9 @@ for normal in gbuffer depth; do
 done
 most=0.006
 
+python=
+for p in python3 /usr/bin/python3; do $p -c 'import moderngl, cffi' 2>/dev/null && python=$p && break; done
 if wanted python; then
-    python=
-    for p in python3 /usr/bin/python3; do $p -c 'import moderngl, cffi' 2>/dev/null && python=$p && break; done
     if [ -z "$python" ]; then skip 'python, its packages are missing (apt-get install python3-moderngl python3-cffi)'
     else
         $python examples/hosts/python.py $work/python.pgm
@@ -216,6 +216,18 @@ if wanted openscenegraph; then
         near 'openscenegraph' $work/openscenegraph-ao.png $work/depth.png $most
         check 'openscenegraph: its picture changes' \
             "$(cmp -s $work/openscenegraph-before.png $work/openscenegraph-after.png || echo 1)"
+    fi
+fi
+
+# Not in Godot, which is not here: its arithmetic and its calls.
+if wanted godot; then
+    if [ -z "$python" ]; then skip 'godot, cffi is missing (apt-get install python3-cffi)'
+    else
+        build/glsl-text --chain hsao,normal=unsigned,compute=all --vulkan $work/godot >/dev/null
+        said=$($python tests/godot.py $work/godot 2>&1)
+        check "godot: $said" "$([ "$said" = '4 dispatches' ] && echo 1)"
+        said=$(glslangValidator -V $work/godot/multiply.comp -o $work/godot/multiply.spv 2>&1)
+        check "godot, its own shader: $said" "$([ -e $work/godot/multiply.spv ] && echo 1)"
     fi
 fi
 
