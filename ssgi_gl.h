@@ -1070,7 +1070,8 @@ SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i);
             "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at. PRESET: fast, balanced or best. FIELD: a name
             of ssgi_gl_choice_at, except pass, or of ssgi_gl_chain_choice_at; with "lights." before it a field of
             chain.lights, whose pass is LIGHTS then. VALUE: a number or a word. A field that is given overrides the
-            preset's value. The sentence on an unknown name lists similar names. A bad name leaves the chain as it is */
+            preset's value. The sentence on an unknown name lists similar names. A bad name leaves the chain as it is.
+            Fields may be CUSTOM: set chain->desc.shader.fetch then, which ssgi_gl_steps asks for */
 SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, const char **why);
 
 /* GL's state of the texture at a unit, or of a target. */
@@ -8584,6 +8585,7 @@ SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, co
     memset(&c, 0, sizeof c);
     c.desc.pass = (ssgi_gl_pass)ssgi_gl__methods[m].pass;
     c.blur = 1;
+    c.desc.shader.fetch = c.lights.shader.fetch = " "; /* A name cannot have functions: ssgi_gl_steps asks for them. */
     /* Settings are set before the preset, which depends on the search, and again after it, as they override it. */
     for (int turn = 0; turn < 2; ++turn) {
         const char *bad = ssgi_gl__set_all(&c, &preset, ssgi_gl__methods[m].settings);
@@ -8595,6 +8597,7 @@ SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, co
     }
     SSGI_GL__TRY(ssgi_gl_check(&c.desc, why));
     SSGI_GL__TRY(ssgi_gl_check(&c.lights, why));
+    c.desc.shader.fetch = c.lights.shader.fetch = NULL;
     *chain = c;
     return SSGI_OK;
 }

@@ -352,6 +352,13 @@ static void names_of_methods(void)
     CHECK(!ssgi_gl_steps_of(NULL, 0, &frame, "hsoa", &view, 1, &why) && !strncmp(why, "name: ", 6), "%s", why);
     CHECK(!ssgi_gl_steps_of(NULL, 0, NULL, "hsao", &view, 1, &why) && !strncmp(why, "frame: ", 7), "%s", why);
     CHECK(!memcmp(&frame, &was, sizeof frame), "a refusal changes the frame");
+    /* A name may ask for functions of one's own, which the chain then lacks. */
+    ssgi_gl_chain own;
+    CHECK(ssgi_gl_chain_of(&own, "hsao,depth=custom", &why) == SSGI_OK && !own.desc.shader.fetch, "%s", why);
+    own.width = own.height = 64;
+    CHECK(!ssgi_gl_steps(NULL, 0, &own, &why) && !strncmp(why, "desc.shader.fetch:", 18), "%s", why);
+    own.desc.shader.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }\n";
+    CHECK(ssgi_gl_steps(NULL, 0, &own, &why) > 0, "%s", why);
 }
 
 /* Makes one mistake at a time; the sentence must name its step, texture and unit. */

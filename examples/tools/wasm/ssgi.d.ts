@@ -132,7 +132,8 @@ export class Ssgi {
   /** a row of t_ssgi_lights: 8 texels of RGBA32F */
   light(light: Light, map?: LightMap | null): Float32Array;
   phase(k: number): number;
-  /** the chain of a method by its name, as "hsao,thickness=slabs": ssgi_gl_chain_of. Width and height are missing */
+  /** the chain of a method by its name, as "hsao,thickness=slabs": ssgi_gl_chain_of. Width and height are missing.
+      With depth=custom set chain.desc.fetch to GLSL with float ssgi_custom_depth(ivec2 texel, int layer) */
   chain(name: string): Omit<Chain, 'width' | 'height'>;
   steps(chain: Chain): Step[];
   environmentMap(size: number, rgb: ArrayLike<number>, width: number, height: number,
