@@ -243,8 +243,8 @@ static const kit_option options[] = {
       .kind = KIT_WHOLE, TO(count), .least = 2, .most = MOST_SEEDS },
     { "--scenes", "NAME", "random:KIND takes scenes of one kind, models takes a model of a package for each seed, "
                           "and model:NAME that model alone [random].", .kind = KIT_TEXT, TO(scenes) },
-    { "--light", NULL, "Measures irradiance under the scenes' own environments, without a bounce. Noise of this and of "
-                       "--bounce is that to 32 slices, over the mean.", .kind = KIT_FLAG, TO(light) },
+    { "--light", NULL, "Measures irradiance under the scenes' own environments, without a bounce. Noise of this and "
+                       "of --bounce is that to 32 slices, over the mean.", .kind = KIT_FLAG, TO(light) },
     { "--bounce", NULL, "Measures one bounce alone.", .kind = KIT_FLAG, TO(bounce) },
     { "--radius", "F", "Multiplies the radius of each scene by F [1].",
       .kind = KIT_NUMBER, TO(radius), .least = 1e-6, .most = 1e6 },
