@@ -968,8 +968,8 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 /* ==== >>plan =================================================================================================== */
 
 /* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
-   The predictions were fitted to ray-traced ground truth of 34 views at 1280x720 and tested on other scenes: README. A
-   survey improves predictions; a calibration improves them most.  */
+   The predictions were fitted to ray-traced ground truth at 1280x720 and tested on other scenes:
+   examples/docs/PLANNER.md. A survey improves predictions; a calibration improves them most.  */
 
 /* >>plan in use (compiled and run by tests/test_build.c)
 
@@ -1022,6 +1022,13 @@ enum {
                                       1920x1080 */
 };
 
+/* The values of plan_scene.unit: of what plan_scene.error is a number. */
+enum {
+    SSGI_PLAN_UNIT_RMSE = 0, /* the measure of `wanted` itself */
+    SSGI_PLAN_UNIT_RELATIVE  /* that measure over its value for an image without occlusion: 0.4 is 40 %. The planner
+                                takes that value from the calibration, else from the survey, else a guess */
+};
+
 /* A survey: how pictures of one frame's ambient visibility differ, as RMS over the pixels with a surface. Made by
    ssgi_survey_of, whose arguments the members name. */
 typedef struct ssgi_survey {
@@ -1069,6 +1076,7 @@ typedef struct ssgi_plan_scene {
     /* the request */
     int wanted;   /* SSGI_PLAN_WANTED_VISIBILITY .. */
     int device;   /* SSGI_PLAN_DEVICE_SOFTWARE .. */
+    int unit;     /* SSGI_PLAN_UNIT_RMSE or SSGI_PLAN_UNIT_RELATIVE: the unit of `error` */
     float error;  /* [limit: >= 0] 0: the least error that the budget buys */
     float budget; /* [units: time of an unblurred 16-sample ssao on the device; RX_6800: milliseconds of 1920x1080;
                      scale by the pixels for other sizes] [limit: >= 0] 0: unlimited */
@@ -1106,23 +1114,31 @@ typedef struct ssgi_plan {
     float surfel_size;
 
     /* the predictions for these settings */
-    float cost;    /* [units: as budget] with depth passes, without making surfels and fields; at most SSGI_FAR */
-    float error;   /* in the measure of `wanted`; at most SSGI_FAR */
-    int meets;     /* 1: error <= 1.05 x scene.error, and cost within the budget; 0 if no error was asked for */
-    char why[160]; /* one sentence */
+    float cost;       /* [units: as budget] with depth passes, without making surfels and fields; at most SSGI_FAR */
+    float error;      /* in the measure of `wanted`; at most SSGI_FAR */
+    float unoccluded; /* the same of an image without occlusion; error / unoccluded is the relative error */
+    int meets;        /* 1: error <= 1.05 x the error asked for, and cost within the budget; 0 if none was asked for */
+
+    /* numbers of choices, for ssgi_plan_choice */
+    int choice;  /* this plan's */
+    int cheaper; /* the best that costs a twentieth less than this plan, or still less; -1: there is none */
+    int dearer;  /* the cheapest whose error is a twentieth smaller, or still smaller; -1: there is none */
+    char
+        why[512]; /* sentences: the settings, their error and cost, what of the scene decides, and both other choices */
 } ssgi_plan;
 
-/* Makes a plan. If no choice meets the error, the plan is the nearest choice, with meets 0 and a `why` that begins
-   "cannot be met". Bad input gives SSGI_BAD_ARGUMENT and leaves the plan untouched. It is a pure function. */
+/* Makes a plan: the cheapest choice that meets the error. If none does, it is the cheapest within 5 % of the best, with
+   meets 0 and a `why` that begins "Cannot be met". Bad input gives SSGI_BAD_ARGUMENT and leaves the plan untouched. It
+   is a pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
 /* Writes the planner's choice number i, of SSGI_PLAN_CHOICES, with its predicted error and cost for a scene (whose
-   numbers are not checked), meets 0 and an empty `why`. Returns 1 with *plan filled. Returns 0 with *plan untouched
-   past the last choice, for NULL, and if the choice does not serve scene->wanted, needs something that the scene does
-   not give, or uses the light's directions though they would gain too little. */
+   numbers are not checked), meets 0, no other choices and an empty `why`. Returns 1 with *plan filled. Returns 0
+   with *plan untouched past the last choice, for NULL, and if the choice does not serve scene->wanted, needs what the
+   scene does not give, or uses the light's directions though they would gain too little. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 
-enum { SSGI_PLAN_CHOICES = 52 };
+enum { SSGI_PLAN_CHOICES = 55 };
 
 #ifdef __cplusplus
 }
@@ -4856,8 +4872,10 @@ enum {
 };
 
 /* A table of the planner's choices, whose rows make fit prints. NOTHING is no ambient occlusion. The columns from E on
-   are the weights of the terms, SSGI__PLAN_UNOCCLUDED and so on. The three rows with CONSTANT have CPU costs and
-   weights that were measured with SOLID: make fit has not been run for them since. */
+   are the weights of the terms, SSGI__PLAN_UNOCCLUDED and so on. Of visibility they are fitted to 14 scenes by seed, 0
+   to 13, at 1280x720. Of light and bounces they were fitted to 34 views, with the samples and filters of version 0.4;
+   the rows with resolution 3 there have the weights of visibility. CPU costs were measured in 0.4; those of rows that
+   have changed since are multiplied by the change of their modelled cost on a GPU. */
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   /*                  thickness
                       |         resolution
@@ -4869,54 +4887,57 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
           |  method   |         |  |  |   |  |  |  surfel_size
           |  |        |         |  |  |   |  |  |  |      CPU    GPU    E      hsao   slabs  |     |      1e-4 */
   SSGI__P(V, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
-  SSGI__P(V, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.05f, .92f,  .009f, 1.17f, 0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    1, 1, 8,  0, 0, 0, 0,     1.36f, 1.23f, .005f, 1.05f, 0,     0,    0,     .42f),
-  SSGI__P(V, HSAO,    WIDTH,    1, 2, 6,  0, 0, 0, 0,     1.72f, 1.55f, 0,     1.0f,  0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    1, 2, 10, 0, 0, 0, 0,     2.01f, 2.0f,  0,     .88f,  0,     0,    0,     .23f),
-  SSGI__P(V, HSAO,    WIDTH,    1, 1, 12, 0, 1, 0, 0,     1.97f, 2.37f, 0,     .8f,   0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    1, 3, 16, 0, 0, 0, 0,     3.24f, 3.7f,  0,     .8f,   0,     0,    0,     .26f),
-  SSGI__P(V, HSAO,    WIDTH,    0, 2, 7,  0, 0, 0, 0,     4.64f, 4.42f, 0,     .83f,  0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    0, 2, 12, 0, 0, 0, 0,     6.19f, 6.69f, 0,     .75f,  0,     0,    0,     0),
-  SSGI__P(V, HSAO,    BACK,     1, 1, 8,  0, 0, 0, 0,     1.38f, 1.32f, .02f,  .23f,  .84f,  0,    0,     0),
-  SSGI__P(V, HSAO,    BACK,     1, 2, 8,  0, 0, 0, 0,     1.99f, 1.85f, .011f, .21f,  .73f,  0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    1, 1, 8,  0, 0, 0, 0,     2.7f,  1.59f, .007f, 0,     1.04f, 0,    0,     .21f),
-  SSGI__P(V, HSAO,    SLABS,    1, 2, 6,  0, 0, 0, 0,     3.12f, 2.02f, 0,     0,     1.0f,  0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    1, 2, 10, 0, 0, 0, 0,     4.06f, 2.63f, 0,     0,     .86f,  0,    0,     .098f),
-  SSGI__P(V, HSAO,    SLABS,    1, 1, 12, 0, 1, 0, 0,     3.57f, 2.82f, 0,     0,     .76f,  0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    1, 3, 16, 0, 0, 0, 0,     6.43f, 4.98f, 0,     0,     .75f,  0,    0,     .2f),
-  SSGI__P(V, HSAO,    SLABS,    0, 2, 7,  0, 0, 0, 0,     9.67f, 5.83f, 0,     0,     .79f,  0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    0, 2, 12, 0, 0, 0, 0,     12.4f, 8.97f, 0,     0,     .68f,  0,    0,     0),
-  SSGI__P(V, DSS,     WIDTH,    3, 2, 8,  0, 0, 0, .03f,  1.28f, 1.94f, .025f, .78f,  0,     .037f,0,     .93f),
-  SSGI__P(V, DSS,     WIDTH,    1, 2, 8,  0, 0, 0, .03f,  2.38f, 3.2f,  .002f, .8f,   0,     .01f, 0,     .2f),
-  SSGI__P(V, DSS,     WIDTH,    0, 2, 7,  0, 0, 0, .03f,  5.4f,  8.21f, 0,     .75f,  0,     .002f,0,     0),
+  SSGI__P(V, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .64f,  .56f,  .034f, 1.17f, 0,     0,    0,     0),
+  SSGI__P(V, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.27f, 1.11f, .018f, 1.09f, 0,     0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    1, 1, 8,  0, 0, 0, 0,     1.45f, 1.31f, 0,     1.1f,  0,     0,    0,     .61f),
+  SSGI__P(V, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     2.03f, 1.83f, 0,     1.0f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    1, 2, 12, 0, 0, 0, 0,     2.33f, 2.32f, 0,     .9f,   0,     0,    0,     .032f),
+  SSGI__P(V, HSAO,    WIDTH,    1, 1, 12, 0, 1, 0, 0,     1.97f, 2.15f, 0,     .83f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    1, 3, 16, 0, 0, 0, 0,     3.34f, 3.81f, .002f, .83f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    0, 2, 7,  0, 0, 0, 0,     4.64f, 4.32f, 0,     .9f,   0,     0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    0, 2, 12, 0, 0, 0, 0,     6.19f, 6.59f, 0,     .77f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    BACK,     1, 1, 8,  0, 0, 0, 0,     1.39f, 1.33f, .009f, .41f,  .78f,  0,    0,     0),
+  SSGI__P(V, HSAO,    BACK,     1, 2, 8,  0, 0, 0, 0,     1.99f, 1.85f, .008f, .48f,  .56f,  0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    1, 1, 8,  0, 0, 0, 0,     2.7f,  1.59f, 0,     0,     1.12f, 0,    0,     .52f),
+  SSGI__P(V, HSAO,    SLABS,    1, 2, 8,  0, 0, 0, 0,     3.55f, 2.3f,  0,     0,     1.0f,  0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    1, 2, 12, 0, 0, 0, 0,     4.63f, 3.0f,  0,     0,     .88f,  0,    0,     .093f),
+  SSGI__P(V, HSAO,    SLABS,    1, 1, 12, 0, 1, 0, 0,     3.57f, 2.54f, 0,     0,     .81f,  0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    1, 3, 16, 0, 0, 0, 0,     6.52f, 5.05f, .003f, 0,     .8f,   0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    0, 2, 7,  0, 0, 0, 0,     9.67f, 5.64f, 0,     0,     .88f,  0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    0, 2, 12, 0, 0, 0, 0,     12.4f, 8.76f, 0,     0,     .72f,  0,    0,     0),
+  SSGI__P(V, DSS,     WIDTH,    3, 2, 8,  0, 0, 0, .03f,  1.28f, 1.84f, .02f,  .59f,  .37f,  .032f,0,     0),
+  SSGI__P(V, DSS,     WIDTH,    1, 2, 8,  0, 0, 0, .03f,  2.38f, 3.1f,  0,     .62f,  .22f,  .018f,0,     0),
+  SSGI__P(V, DSS,     WIDTH,    0, 2, 7,  0, 0, 0, .03f,  5.4f,  8.1f,  0,     .53f,  .21f,  .016f,0,     0),
   SSGI__P(L, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
-  SSGI__P(L, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.05f, .92f,  .017f, 1.08f, 0,     0,    0,     .54f),
-  SSGI__P(L, HSAO,    WIDTH,    1, 2, 6,  0, 0, 0, 0,     1.74f, 1.55f, 0,     1.0f,  0,     0,    0,     0),
-  SSGI__P(L, HSAO,    SLABS,    1, 2, 6,  0, 0, 0, 0,     3.05f, 2.02f, 0,     0,     1.0f,  0,    0,     0),
-  SSGI__P(L, HSAO,    SLABS,    1, 1, 12, 0, 1, 0, 0,     3.64f, 2.82f, 0,     0,     .87f,  0,    .005f, 0),
-  SSGI__P(L, S3HO,    WIDTH,    1, 1, 5,  4, 0, 0, 0,     1.93f, 1.44f, .07f,  .64f,  0,     0,    0,     0),
-  SSGI__P(L, S3HO,    WIDTH,    1, 2, 9,  2, 0, 0, 0,     2.34f, 2.31f, .013f, .64f,  0,     0,    .008f, 0),
-  SSGI__P(L, S3HO,    WIDTH,    1, 2, 9,  4, 0, 0, 0,     2.53f, 2.41f, .019f, .59f,  0,     0,    0,     0),
-  SSGI__P(L, S3HO,    SLABS,    1, 2, 9,  4, 0, 0, 0,     4.24f, 3.16f, .03f,  0,     .48f,  0,    0,     0),
-  SSGI__P(L, S3HO,    SLABS,    0, 2, 9,  4, 0, 0, 0,     13.0f, 9.43f, .017f, 0,     .44f,  0,    0,     0),
-  SSGI__P(L, SSDO,    WIDTH,    1, 1, 5,  0, 0, 0, 0,     1.69f, 1.36f, .041f, .68f,  0,     0,    0,     0),
-  SSGI__P(L, SSDO,    WIDTH,    1, 2, 9,  0, 0, 0, 0,     2.41f, 2.33f, .008f, .59f,  0,     0,    0,     0),
-  SSGI__P(L, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     6.23f, 6.62f, 0,     .53f,  0,     0,    0,     0),
-  SSGI__P(L, SSDO,    SLABS,    1, 1, 12, 0, 0, 0, 0,     3.48f, 2.28f, .04f,  0,     .52f,  0,    .001f, 0),
-  SSGI__P(L, SSDO,    SLABS,    1, 2, 9,  0, 0, 0, 0,     4.69f, 2.95f, .027f, 0,     .45f,  0,    0,     0),
-  SSGI__P(L, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     14.0f, 8.47f, .011f, 0,     .42f,  0,    0,     0),
-  SSGI__P(L, SSDO,    SLABS,    1, 1, 6,  0, 1, 0, 0,     3.61f, 2.83f, .022f, 0,     .5f,   0,    .003f, 0),
+  SSGI__P(L, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .64f,  .56f,  .034f, 1.17f, 0,     0,    0,     0),
+  SSGI__P(L, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.27f, 1.11f, .017f, 1.08f, 0,     0,    0,     .54f),
+  SSGI__P(L, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     2.05f, 1.83f, 0,     1.0f,  0,     0,    0,     0),
+  SSGI__P(L, HSAO,    SLABS,    1, 2, 8,  0, 0, 0, 0,     3.47f, 2.3f,  0,     0,     1.0f,  0,    0,     0),
+  SSGI__P(L, HSAO,    SLABS,    1, 1, 12, 0, 1, 0, 0,     3.64f, 2.54f, 0,     0,     .87f,  0,    .005f, 0),
+  SSGI__P(L, S3HO,    WIDTH,    1, 1, 5,  4, 0, 0, 0,     2.45f, 1.83f, .07f,  .64f,  0,     0,    0,     0),
+  SSGI__P(L, S3HO,    WIDTH,    1, 2, 9,  2, 0, 0, 0,     2.72f, 2.69f, .013f, .64f,  0,     0,    .008f, 0),
+  SSGI__P(L, S3HO,    WIDTH,    1, 2, 9,  4, 0, 0, 0,     2.95f, 2.81f, .019f, .59f,  0,     0,    0,     0),
+  SSGI__P(L, S3HO,    SLABS,    1, 2, 9,  4, 0, 0, 0,     4.7f,  3.5f,  .03f,  0,     .48f,  0,    0,     0),
+  SSGI__P(L, S3HO,    SLABS,    0, 2, 9,  4, 0, 0, 0,     13.0f, 9.25f, .017f, 0,     .44f,  0,    0,     0),
+  SSGI__P(L, SSDO,    WIDTH,    1, 1, 5,  0, 0, 0, 0,     1.69f, 1.24f, .041f, .68f,  0,     0,    0,     0),
+  SSGI__P(L, SSDO,    WIDTH,    1, 2, 9,  0, 0, 0, 0,     2.41f, 2.21f, .008f, .59f,  0,     0,    0,     0),
+  SSGI__P(L, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     6.23f, 6.53f, 0,     .53f,  0,     0,    0,     0),
+  SSGI__P(L, SSDO,    SLABS,    1, 1, 12, 0, 0, 0, 0,     3.48f, 2.12f, .04f,  0,     .52f,  0,    .001f, 0),
+  SSGI__P(L, SSDO,    SLABS,    1, 2, 9,  0, 0, 0, 0,     4.69f, 2.75f, .027f, 0,     .45f,  0,    0,     0),
+  SSGI__P(L, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     14.0f, 8.27f, .011f, 0,     .42f,  0,    0,     0),
+  SSGI__P(L, SSDO,    SLABS,    1, 1, 6,  0, 1, 0, 0,     3.61f, 2.4f,  .022f, 0,     .5f,   0,    .003f, 0),
   SSGI__P(B, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
-  SSGI__P(B, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.08f, .92f,  .01f,  1.12f, 0,     0,    0,     .72f),
-  SSGI__P(B, HSAO,    WIDTH,    1, 2, 6,  0, 0, 0, 0,     1.66f, 1.55f, 0,     1.0f,  0,     0,    0,     0),
-  SSGI__P(B, S3HO,    WIDTH,    1, 1, 5,  4, 0, 0, 0,     2.97f, 2.17f, .3f,   .025f, 0,     0,    .049f, 0),
-  SSGI__P(B, S3HO,    WIDTH,    1, 2, 9,  4, 0, 0, 0,     4.44f, 3.48f, .23f,  .048f, 0,     0,    .027f, 0),
-  SSGI__P(B, S3HO,    SLABS,    1, 2, 9,  4, 0, 0, 0,     6.83f, 4.1f,  .19f,  0,     .051f, 0,    .023f, 0),
-  SSGI__P(B, SSDO,    WIDTH,    1, 1, 5,  0, 0, 0, 0,     3.55f, 2.71f, .24f,  .032f, 0,     0,    .027f, .059f),
-  SSGI__P(B, SSDO,    WIDTH,    1, 2, 9,  0, 0, 0, 0,     4.84f, 3.88f, .17f,  .038f, 0,     0,    .021f, 0),
-  SSGI__P(B, SSDO,    SLABS,    1, 2, 9,  0, 0, 0, 0,     6.93f, 4.51f, .14f,  0,     .034f, 0,    .021f, 0),
-  SSGI__P(B, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     10.8f, 8.93f, .14f,  .042f, 0,     0,    .022f, 0),
-  SSGI__P(B, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     16.9f, 10.8f, .11f,  0,     .039f, 0,    .021f, 0),
+  SSGI__P(B, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .66f,  .56f,  .034f, 1.17f, 0,     0,    0,     0),
+  SSGI__P(B, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.3f,  1.11f, .01f,  1.12f, 0,     0,    0,     .72f),
+  SSGI__P(B, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     1.96f, 1.83f, 0,     1.0f,  0,     0,    0,     0),
+  SSGI__P(B, S3HO,    WIDTH,    1, 1, 5,  4, 0, 0, 0,     3.52f, 2.57f, .3f,   .025f, 0,     0,    .049f, 0),
+  SSGI__P(B, S3HO,    WIDTH,    1, 2, 9,  4, 0, 0, 0,     4.92f, 3.86f, .23f,  .048f, 0,     0,    .027f, 0),
+  SSGI__P(B, S3HO,    SLABS,    1, 2, 9,  4, 0, 0, 0,     7.35f, 4.41f, .19f,  0,     .051f, 0,    .023f, 0),
+  SSGI__P(B, SSDO,    WIDTH,    1, 1, 5,  0, 0, 0, 0,     3.55f, 2.6f,  .24f,  .032f, 0,     0,    .027f, .059f),
+  SSGI__P(B, SSDO,    WIDTH,    1, 2, 9,  0, 0, 0, 0,     4.84f, 3.76f, .17f,  .038f, 0,     0,    .021f, 0),
+  SSGI__P(B, SSDO,    SLABS,    1, 2, 9,  0, 0, 0, 0,     6.93f, 4.3f,  .14f,  0,     .034f, 0,    .021f, 0),
+  SSGI__P(B, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     10.8f, 8.78f, .14f,  .042f, 0,     0,    .022f, 0),
+  SSGI__P(B, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     16.9f, 10.6f, .11f,  0,     .039f, 0,    .021f, 0),
   SSGI__P(O, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
   SSGI__P(O, AOF,     WIDTH,    0, 0, 0,  0, 0, 4, 0,     .06f,  .05f,  .014f, 0,     0,     0,    0,     0),
   SSGI__P(O, AOF,     WIDTH,    0, 0, 0,  0, 0, 8, 0,     .06f,  .05f,  .011f, 0,     0,     0,    0,     0)
@@ -4940,8 +4961,8 @@ static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
    a squared error, of no occlusion, of hsao or of hsao with slabs, as the sum of a survey's squares times the row's
    weights. The columns are the survey's members: occlusion, detail, solid, slabs. */
 static const float ssgi__plan_survey[2][3][4] = {
-    { { 1.2f, 0.148f, 0, 0 }, { 0.0756f, 2.54f, 0, 0 }, { 0.0446f, 2.5f, 0, 0 } },
-    { { 1.25f, 0, 0, 0.0169f }, { 0.0504f, 2.19f, 0, 1.04f }, { 0.0454f, 2.45f, 0, 0.0613f } }
+    { { 1.29f, 0.454f, 0, 0 }, { 0.0306f, 3.51f, 0, 0 }, { 0.0188f, 3.31f, 0, 0 } },
+    { { 1.23f, 0, 0, 2.96f }, { 0.00608f, 2.47f, 0, 2.5f }, { 0.00185f, 2.56f, 0, 1.69f } }
 };
 
 /* A table of costs by device, software and then a GPU: the costs of splats and fields, which are added to a choice's
@@ -4996,6 +5017,15 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
+/* Returns the error asked for in the measure of `wanted`. */
+SSGI__FN double ssgi__plan_goal(const ssgi_plan_scene *s)
+{
+    double square[3];
+    if (s->unit != SSGI_PLAN_UNIT_RELATIVE) return (double)s->error;
+    ssgi__plan_errors(square, s);
+    return (double)s->error * sqrt(square[0]);
+}
+
 /* Returns whether a choice serves scene->wanted, needs nothing that the scene does not give, and gains enough by the
    light's directions if it uses them. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
@@ -5009,7 +5039,7 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
     /* if light comes nearly evenly from everywhere, its directions do not matter: methods that use them are assumed to
        gain a tenth of the uneven term */
     return row->wanted != SSGI_PLAN_WANTED_LIGHT || (m != SSGI_PLAN_METHOD_S3HO && m != SSGI_PLAN_METHOD_SSDO)
-        || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * (double)s->error;
+        || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * ssgi__plan_goal(s);
 }
 
 /* Returns how many pixels of the frame there are for each pixel that a choice draws: 1, 4 or 16, by its resolution. */
@@ -5041,6 +5071,8 @@ SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_WANTED_VISIBILITY && s->wanted <= SSGI_PLAN_WANTED_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_WANTED_VISIBILITY .. SSGI_PLAN_WANTED_OBJECTS");
+    SSGI__CHECK(s->unit == SSGI_PLAN_UNIT_RMSE || s->unit == SSGI_PLAN_UNIT_RELATIVE,
+                "scene.unit: must be SSGI_PLAN_UNIT_RMSE or SSGI_PLAN_UNIT_RELATIVE");
     SSGI__CHECK(s->device >= 0 && s->device <= 2 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_THICKNESS_SLABS
                     && s->history >= 0 && s->history <= 1 && s->occluders >= 0,
                 "scene.device, .thickness, .history, .occluders: must be 0..2, 0..3, 0..1, 0 or more");
@@ -5067,58 +5099,139 @@ SSGI__FN char *ssgi__plan_word(char *at, const char *word)
     return at;
 }
 
-/* Appends an error in 4 decimals, 9.9999 at most. Returns the address behind it. It does not call snprintf: stdio.h is
-   not included here, and a locale would choose the decimal point. */
-SSGI__FN char *ssgi__plan_figure(char *at, float x)
+/* Appends a number of so many decimals, and a word. A number above 99999 is 99999. Returns the address behind them. It
+   does not call snprintf: stdio.h is not included here, and a locale would choose the decimal point. */
+SSGI__FN char *ssgi__plan_figure(char *at, double x, int decimals, const char *word)
 {
-    const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
-    *at++ = (char)('0' + n / 10000);
-    *at++ = '.';
-    for (int unit = 1000; unit; unit /= 10) *at++ = (char)('0' + n / unit % 10);
-    return at;
+    uint32_t unit = 1, n;
+    for (int i = 0; i < decimals; ++i) unit *= 10;
+    n = (uint32_t)((x < 99999.0 ? x : 99999.0) * unit + 0.5);
+    for (uint32_t place = 1000000000u; place; place /= 10) {
+        if (place * 10 == unit) *at++ = '.';
+        if (n >= place || place <= unit) *at++ = (char)('0' + n / place % 10);
+    }
+    return ssgi__plan_word(at, word);
 }
 
-/* Writes plan->why: "hsao, slabs: error 0.0123, the cheapest of all choices within 5 % of 0.0130". The array has room
-   for the longest sentence. */
-SSGI__FN void ssgi__plan_sentence(ssgi_plan *plan, float error)
+/* Appends a choice's settings: "hsao half 2x8 slabs". Returns the address behind them. */
+SSGI__FN char *ssgi__plan_settings(char *at, const ssgi_plan *plan)
 {
-    static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "fields" };
-    static const char *const thickness[] = { "", ", constant", ", back faces", ", slabs" };
-    char *at = plan->why;
-    if (!plan->meets && error > 0.0f) {
-        at = ssgi__plan_figure(ssgi__plan_word(at, "cannot be met: "), error);
-        at = ssgi__plan_word(at, "; the nearest: ");
+    static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "aof" };
+    static const char *const resolution[] = { " full ", " half ", "", " quarter " };
+    static const char *const thickness[] = { "", " constant", " back", " slabs" };
+    at = ssgi__plan_word(at, method[plan->method]);
+    if (plan->field_resolution) return ssgi__plan_figure(ssgi__plan_word(at, " "), plan->field_resolution, 0, "");
+    if (!plan->slices) return at;
+    at = ssgi__plan_figure(ssgi__plan_word(at, resolution[plan->resolution]), plan->slices, 0, "x");
+    at = ssgi__plan_word(ssgi__plan_figure(at, plan->samples, 0, ""), thickness[plan->thickness]);
+    if (plan->bands) at = ssgi__plan_figure(ssgi__plan_word(at, " "), plan->bands, 0, " bands");
+    return ssgi__plan_word(at, plan->history ? " history" : "");
+}
+
+/* Appends a choice's error and cost: ": error 0.0312 (relative 0.309), 0.372 ms". Returns the address behind them. */
+SSGI__FN char *ssgi__plan_price(char *at, const ssgi_plan *plan, const ssgi_plan_scene *s)
+{
+    at = ssgi__plan_figure(ssgi__plan_word(at, ": error "), (double)plan->error, 4, "");
+    if (plan->unoccluded > 0.0f)
+        at = ssgi__plan_figure(ssgi__plan_word(at, " (relative "), (double)plan->error / (double)plan->unoccluded, 3,
+                               ")");
+    return ssgi__plan_figure(ssgi__plan_word(at, ", "), (double)plan->cost, 3,
+                             s->device == SSGI_PLAN_DEVICE_RX_6800 ? " ms" : " ssaos");
+}
+
+/* Appends the sentence on what of the scene decides. Returns the address behind it. */
+SSGI__FN char *ssgi__plan_reason(char *at, const ssgi_plan *plan, const ssgi_plan_scene *s)
+{
+    const float *energy = ssgi__plan_energy(s);
+    double square[3];
+    ssgi__plan_errors(square, s);
+    for (int k = 0; k < 3; ++k) square[k] = sqrt(square[k]);
+    if (!plan->meets && s->budget > 0.0f && plan->dearer >= 0)
+        return ssgi__plan_figure(ssgi__plan_word(at, ". The budget decides: without occlusion the error is "),
+                                 square[0], 4, "");
+    if (plan->method == SSGI_PLAN_METHOD_NOTHING)
+        return ssgi__plan_figure(ssgi__plan_word(at, ". Occlusion may be left out: without it the error is "),
+                                 square[0], 4, "");
+    if (plan->method == SSGI_PLAN_METHOD_AOF)
+        return ssgi__plan_figure(ssgi__plan_word(at, ". Other objects decide: without them the error is "), square[0],
+                                 4, "");
+    if (s->wanted == SSGI_PLAN_WANTED_LIGHT && plan->method != SSGI_PLAN_METHOD_HSAO)
+        return ssgi__plan_figure(ssgi__plan_word(at, ". The light's directions decide: over band 0, band 1 has "),
+                                 (double)energy[1] / (double)energy[0], 2, " of the energy");
+    if (s->wanted == SSGI_PLAN_WANTED_BOUNCE && plan->method != SSGI_PLAN_METHOD_HSAO)
+        return ssgi__plan_figure(ssgi__plan_word(at, ". The bounce decides: the error of hsao is "), square[1], 4, "");
+    if (plan->method == SSGI_PLAN_METHOD_DSS || plan->thickness >= SSGI_PLAN_THICKNESS_BACK) {
+        at = ssgi__plan_word(at, ". What is thin or hidden decides: the error of hsao is ");
+        return ssgi__plan_figure(ssgi__plan_figure(at, square[1], 4, ", with slabs "), square[2], 4, "");
     }
-    at = ssgi__plan_word(ssgi__plan_word(at, method[plan->method]), thickness[plan->thickness]);
-    at = ssgi__plan_word(at, plan->history ? ", history: error " : ": error ");
-    at = ssgi__plan_figure(at, plan->error);
-    if (plan->meets) at = ssgi__plan_figure(ssgi__plan_word(at, ", the cheapest of all choices within 5 % of "), error);
-    else if (!(error > 0.0f)) at = ssgi__plan_word(at, ", the least that may be had");
-    *at = 0;
+    at = ssgi__plan_word(at, (double)plan->error < 0.95 * square[1] ? ". Fine detail decides"
+                                                                    : ". What is in sight decides");
+    at = ssgi__plan_figure(ssgi__plan_word(at, ": without occlusion the error is "), square[0], 4, ", of hsao ");
+    return ssgi__plan_figure(at, square[1], 4, "");
+}
+
+/* Writes plan->why, with room for the longest of all. */
+SSGI__FN void ssgi__plan_why(ssgi_plan *plan, const ssgi_plan_scene *s)
+{
+    const int relative = s->unit == SSGI_PLAN_UNIT_RELATIVE, asked = s->error > 0.0f;
+    const char *const unit = relative ? "a relative error of " : "an error of ";
+    char *at = plan->why;
+    ssgi_plan other;
+    if (asked && !plan->meets)
+        at = ssgi__plan_figure(ssgi__plan_word(ssgi__plan_word(at, "Cannot be met: "), unit), (double)s->error, 4,
+                               ". ");
+    at = ssgi__plan_word(ssgi__plan_settings(at, plan), " is the cheapest choice ");
+    if (plan->meets)
+        at = ssgi__plan_figure(ssgi__plan_word(ssgi__plan_word(at, "for "), unit), (double)s->error, 4, "");
+    else at = ssgi__plan_word(at, s->budget > 0.0f ? "within 5 % of the best in the budget" : "within 5 % of the best");
+    at = ssgi__plan_reason(ssgi__plan_price(at, plan, s), plan, s);
+    if (ssgi_plan_choice(&other, plan->cheaper, s))
+        at = ssgi__plan_price(ssgi__plan_settings(ssgi__plan_word(at, ". Cheaper: "), &other), &other, s);
+    if (ssgi_plan_choice(&other, plan->dearer, s))
+        at = ssgi__plan_price(ssgi__plan_settings(ssgi__plan_word(at, ". More accurate: "), &other), &other, s);
+    *ssgi__plan_word(at, ".") = 0;
+}
+
+/* Returns the least error of the choices that cost at most `cost`. NOTHING costs nothing. */
+SSGI__FN double ssgi__plan_least(const ssgi_plan_scene *s, float cost)
+{
+    double least = (double)SSGI_FAR;
+    ssgi_plan p;
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i)
+        if (ssgi_plan_choice(&p, i, s) && p.cost <= cost) least = fmin(least, (double)p.error);
+    return least;
+}
+
+/* Returns the number of the cheapest choice whose error and cost are at most these; -1: there is none. */
+SSGI__FN int ssgi__plan_cheapest(const ssgi_plan_scene *s, double error, float cost)
+{
+    ssgi_plan p;
+    int best = -1;
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+        if (!ssgi_plan_choice(&p, i, s) || p.cost > cost || (double)p.error > error || (best >= 0 && p.cost >= cost))
+            continue;
+        cost = p.cost;
+        best = i;
+    }
+    return best;
 }
 
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
 {
-    ssgi_plan best, p;
-    float goal = 0.0f;
-    int tried = 0, found = 0;
+    ssgi_plan best;
     SSGI__THERE(plan);
     SSGI__TRY(ssgi__plan_bad(s, why));
-    memset(&best, 0, sizeof best);
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the goal: the least error within the budget, or the error asked for
-                                                     if that is larger */
-        if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
-        if (!tried++ || p.error < goal) goal = p.error;
+    const double goal = ssgi__plan_goal(s);
+    const float budget = s->budget > 0.0f ? s->budget : SSGI_FAR;
+    const double least = ssgi__plan_least(s, budget);
+    ssgi_plan_choice(&best, ssgi__plan_cheapest(s, 1.05 * (least > goal ? least : goal), budget), s);
+    best.meets = s->error > 0.0f && (double)best.error <= 1.05 * goal;
+    if (best.cost > 0.0f) {
+        const float less = best.cost / 1.05f;
+        best.cheaper = ssgi__plan_cheapest(s, 1.05 * ssgi__plan_least(s, less), less);
     }
-    if (goal < s->error) goal = s->error;
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the cheapest choice within 5 % of the goal */
-        if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
-        if (p.error > 1.05f * goal || (found && p.cost >= best.cost)) continue;
-        p.meets = s->error > 0.0f && p.error <= 1.05f * s->error;
-        best = p;
-        found = 1;
-    }
-    ssgi__plan_sentence(&best, s->error);
+    if (best.error > 0.0f) best.dearer = ssgi__plan_cheapest(s, (double)best.error / 1.05, SSGI_FAR);
+    ssgi__plan_why(&best, s);
     *plan = best;
     return SSGI_OK;
 }
@@ -5132,6 +5245,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     ssgi__plan_terms(term, row, s);
     if (!ssgi__plan_fits(row, s, term)) return 0;
     memset(plan, 0, sizeof *plan);
+    plan->choice = i;
+    plan->cheaper = plan->dearer = -1;
     plan->method = row->method;
     plan->thickness = row->thickness;
     plan->resolution = row->resolution;
@@ -5139,18 +5254,24 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     plan->samples = row->samples;
     plan->bands = row->bands;
     plan->history = row->history;
-    plan->filter_radius = row->slices > 0;
+    /* presets of hsao and the methods s3ho: radius 2 after one frame of a gather at half resolution, else 1 */
+    plan->filter_radius = row->slices < 1 ? 0
+                        : row->resolution == 1 && !row->history
+                                  && (row->method == SSGI_PLAN_METHOD_HSAO || row->method == SSGI_PLAN_METHOD_S3HO)
+                            ? 2
+                            : 1;
     plan->field_resolution = row->field_resolution;
     plan->surfel_size = row->surfel_size;
     for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)fmin(sqrt(square), (double)SSGI_FAR);
+    plan->unoccluded = (float)fmin(sqrt(term[SSGI__PLAN_UNOCCLUDED]), (double)SSGI_FAR);
     plan->cost = ssgi__plan_cost(row, s);
     /* bands whose energy is negligible are left out: leaving out a band is assumed to cost a squared error of 0.02 E
        times its energy over that of band 0 */
     energy = ssgi__plan_energy(s);
     while (plan->bands > 1
            && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
-                  < SSGI__PLAN_NEGLIGIBLE * (double)s->error)
+                  < SSGI__PLAN_NEGLIGIBLE * ssgi__plan_goal(s))
         --plan->bands;
     if (row->method != SSGI_PLAN_METHOD_DSS) return 1;
     plan->levels = ssgi_splat_levels((double)row->surfel_size, (double)SSGI__SPLAT_EPSILON, 0.5 * ssgi__plan_radius(s));
@@ -5259,6 +5380,12 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    In VULKAN desc.shader.block_set and texture_set are the sets of the uniform blocks and of the textures, and with
    desc.shader.dense bindings have no gaps: for SDL_GPU, and engines that have sets of their own. ssgi_gl_io.set and
    .binding, ssgi_gl_input.set and .binding tell them.
+
+   Plans: plan_scene.unit RELATIVE asks for a part of the error without occlusion. ssgi_plan.unoccluded is that error,
+   .choice, .cheaper and .dearer are numbers for ssgi_plan_choice, and .why has several sentences, which begin "Cannot
+   be met" where they began "cannot be met". build/render --plan takes 40% for 0.4, counts costs of an RX 6800, not of
+   software, and has the exit status 1 if no choice meets the error. The choices are today's presets, with hsao-quarter;
+   predictions of visibility were fitted to them anew.
 
    Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST and the methods s3ho and
    s3ho-fast have that filter, too. After a gather at half resolution a filter of radius 2 is a tent of 5.5 pixels

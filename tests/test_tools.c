@@ -607,6 +607,7 @@ static void command_line(void)
         { "room --size 8x8 --method ssdo --env sky --colours --out a.exr", "--colours: is of a method" },
         { "room --plan best:1 --out a.exr", "--plan best:1" },
         { "room --plan visibility:0.1: --out a.exr", "visibility:0.1:" },
+        { "room --plan visibility:0.1%5 --out a.exr", "visibility:0.1%5" },
         { "room --plan light:0.1 --out a.exr", "--env" },
         { "room --plan visibility:0.1 --set samples=3 --out a.exr", "--plan" },
         { "--gbuffer f.exr --plan objects:0.1 $F", "--plan objects: needs a scene" },
@@ -674,7 +675,7 @@ static void command_line(void)
     works("$R room --size 64x36 --save-gbuffer g.exr --out a.exr && "
           "$R --gbuffer g.exr --fovy 57 --radius 0.5 --out b.exr --json --score a.exr | grep -q '\"rmse\"'");
     works("$R --gbuffer g.exr --plan visibility:0.1 --json --out b.exr | grep -q '\"plan\": {\"error\"'");
-    works("$R plane --size 4x4 --plan objects:0.1 --score y.exr | grep -q 'nothing: error 0.0000'");
+    works("$R plane --size 4x4 --plan objects:0.1 --score y.exr | grep -q 'nothing is the cheapest .*: error 0.0000'");
     works("$R --sequence good.txt --fovy 57 --radius 0.5 --set history=1 --out s%d.exr && test -s s0.exr && "
           "test -s s1.exr && ! test -e s2.exr");
     works("$R --sequence own.txt --set history=1 --out o%d.exr && test -s o2.exr");
@@ -687,6 +688,22 @@ static double errs_by(const char *arguments, const char *reference)
     snprintf(line, sizeof line, "$R %s --json --score %s", arguments, reference);
     const char *rmse = works(line) ? strstr(said, "\"rmse\": ") : NULL;
     return CHECK(rmse, "%s: %s", line, said) ? strtod(rmse + 8, NULL) : -1;
+}
+
+/* The planner's document has a plan whose error is met on its own scene. An error that nothing meets gives a picture,
+   status 1, and in both units the same. */
+static void plans_are_met(void)
+{
+    const char *share = works("$R room --truth 8 --out truth.exr && $R $(grep -om1 'room --plan visibility:[0-9]*%' "
+                              "$T/examples/docs/PLANNER.md) --json --score truth.exr")
+                          ? strstr(said, "\"share\": ") : NULL;
+    const char *asked = share ? strstr(said, "for a relative error of ") : NULL;
+    if (CHECK(asked, "a plan: %s", said))
+        CHECK(strtod(share + 9, NULL) <= 1.05 * strtod(asked + 24, NULL), "the planner's example: %s", said);
+    works("for e in 0.001 0.1%; do $R boxes --size 64x36 --plan visibility:$e --json --out u.png >u.json; "
+          "test $? = 1 && test -s u.png && grep -q '\"meets\": 0' u.json && "
+          "grep -q '\"cheaper\": {\"error\"' u.json || exit 1; done; $R boxes --size 64x36 --plan visibility:0:0.2ms "
+          "--out u.png | grep -q 'in the budget: .* ms'");
 }
 
 /* Writes a model of a floor and a wall of this size at a place. */
@@ -1272,6 +1289,7 @@ void test_tools(void)
     RUN("a captured depth buffer becomes a frame with its camera, however the engine lays it out", captures);
     RUN("each setting of each method is refused beyond its limits, by its name", settings);
     RUN("render answers bad input with one line, status 2 and no file", command_line);
+    RUN("the planner's example is met, and an error that nothing meets gives status 1 and a picture", plans_are_met);
     RUN("what render prints is JSON, and names defaults", what_is_printed);
     RUN("bench has every row, with bounds that add up and no traffic faster than a copy; fit takes its costs", bench);
     RUN("what cannot be written is said, with status 2; links are written through, lines may end in CR", streams);

@@ -95,7 +95,8 @@ static void know(measured *row, int count)
 {
     for (int i = 0; i < count; ++i) {
         const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-        const int balanced = r->method == SSGI_PLAN_METHOD_HSAO && r->resolution && r->slices == 2 && r->samples == 6;
+        const int balanced = r->method == SSGI_PLAN_METHOD_HSAO && r->resolution == 1 && r->slices == 2
+                          && r->samples == 8;
         for (int k = 0; k < count; ++k) {
             ssgi_calibration *c = &row[k].scene.calibration;
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;

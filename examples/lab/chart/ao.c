@@ -26,9 +26,9 @@ static int measure_planned(FILE *record, row *rows, stage *s, const entry *entri
     ssgi_plan plan;
     if (kit_plan_numbers(&numbers, &s->gbuffer, &world, s->radius, SSGI_PLAN_WANTED_VISIBILITY, err)) return -1;
     numbers.error = DEMO_ERROR;
-    numbers.budget = 20;
+    numbers.device = SSGI_PLAN_DEVICE_RX_6800;
     if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) return kit_fail(err, "%s: has no plan", s->name);
-    page_paragraph(record, "Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: %s.", (double)DEMO_ERROR,
+    page_paragraph(record, "Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: %s", (double)DEMO_ERROR,
                    plan.why);
     memcpy(all, entries, (size_t)count * sizeof *all);
     const char *const method = kit_plan_text(settings, &plan, SSGI_PLAN_WANTED_VISIBILITY);

@@ -17,7 +17,10 @@ static int take_plan(void *to, const char *name, const char *text, kit_error *er
         const size_t n = strlen(wanted[o->planned]);
         if (strncmp(text, wanted[o->planned], n)) continue;
         o->plan[0] = strtod(text + n, &end);
-        if (end == text + n || !(o->plan[0] >= 0 && o->plan[0] < 1e6) || (*end && *end != ':')) break;
+        if (end == text + n || !(o->plan[0] >= 0 && o->plan[0] < 1e6)) break;
+        o->plan_relative = *end == '%';
+        end += o->plan_relative;
+        if (*end && *end != ':') break;
         const char *budget = *end ? end + 1 : "0";
         o->plan[1] = strtod(budget, &end);
         o->plan_in_ms = end > budget && !strcmp(end, "ms");
@@ -25,8 +28,8 @@ static int take_plan(void *to, const char *name, const char *text, kit_error *er
         ++o->planned;
         return 0;
     }
-    return kit_fail(err, "%s %s: must be visibility:ERROR, light:ERROR, bounce:ERROR or objects:ERROR, perhaps "
-                         ":BUDGET or :BUDGETms behind", name, text);
+    return kit_fail(err, "%s %s: must be visibility:ERROR, light:ERROR, bounce:ERROR or objects:ERROR, where ERROR "
+                         "may end in %%, perhaps :BUDGET or :BUDGETms behind", name, text);
 }
 
 int render_plans_light(const options *o)
@@ -129,9 +132,12 @@ static const kit_option table[] = {
                        "own].", .kind = KIT_TAKEN, .take = take_radius },
     { "--radius", "guess", "How far apart the tops of the scene's mesh are.", .kind = KIT_TOLD },
     { "--plan", "WHAT:ERROR[:BUDGET]", "WHAT is visibility, light, bounce or objects (occlusion between them). "
-                                       "Draws by the cheapest method whose predicted error is ERROR or less. BUDGET "
-                                       "is a cost in 16-sample SSAOs, or in milliseconds of an RX 6800: 0.3ms. "
-                                       "Light and bounce depend on --env and --light.",
+                                       "Draws by the cheapest method whose predicted error is ERROR or less: an RMSE "
+                                       "(of light over its mean), or with 40% a part of the RMSE without occlusion. "
+                                       "BUDGET is in milliseconds of an RX 6800 at 1920x1080 (0.3ms), or in 16-sample "
+                                       "SSAOs there. Light and bounce depend on --env and --light. If no method meets "
+                                       "ERROR, it draws by the cheapest within 5 % of the best, and the exit status "
+                                       "is 1.",
       .kind = KIT_TAKEN, .take = take_plan },
     { "--truth", "RAYS", "Ground truth of the quantity that --method computes, by so many rays a pixel "
                          "(dss-scatter: thousands of samples), with the normals of the mesh, or with --flat those "

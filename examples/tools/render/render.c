@@ -8,11 +8,12 @@
       build/render --gbuffer others.exr --fovy 60 --radius 1 --out ao.png
       build/render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png
       build/render scene.obj --method ssdo --env probe.hdr --set layers=2 --out lit.exr
-      build/render scene.obj --plan visibility:0.03 --out ao.exr
+      build/render scene.obj --plan visibility:40% --out ao.exr
       build/render room --set history=1 --frames 16 --orbit 0.2 --out frames/%04d.exr
       build/render --help | --list | --list hsao
 
-   Bad input: one line on stderr that names it, status 2, nothing written. --sequence and --frames write each picture
+   Bad input: one line on stderr that names it, status 2, nothing written. Status 1: no choice of --plan meets the error
+   that was asked for, and the picture is by the best one. --sequence and --frames write each picture
    when it is drawn, after the list and all of its frames have been read. */
 #include "render.h"
 #include <math.h>
@@ -270,16 +271,20 @@ static int plan_it(job *j, kit_error *err)
     ssgi_plan_scene numbers;
     const char *why = "";
     if (kit_plan_numbers(&numbers, &j->gbuffer, &j->world, (float)j->radius, o->planned - 1, err)) return -1;
-    numbers.error = (float)o->plan[0];
+    numbers.unit = o->plan_relative ? SSGI_PLAN_UNIT_RELATIVE : SSGI_PLAN_UNIT_RMSE;
+    numbers.error = (float)(o->plan_relative ? o->plan[0] / 100 : o->plan[0]);
     numbers.budget = (float)o->plan[1];
-    if (o->plan_in_ms) numbers.device = SSGI_PLAN_DEVICE_RX_6800;
-    if (ssgi_plan_make(&j->plan, &numbers, &why) != SSGI_OK) return kit_fail(err, "%s", why);
-    j->r.plan = &j->plan;
-    if (!o->json) printf("%s; cost %.2f%s\n", j->plan.why, (double)j->plan.cost, o->plan_in_ms ? " ms" : "");
-    if (j->plan.method == SSGI_PLAN_METHOD_NOTHING) {
+    numbers.device = o->plan_in_ms || !(o->plan[1] > 0) ? SSGI_PLAN_DEVICE_RX_6800 : SSGI_PLAN_DEVICE_GPU;
+    if (ssgi_plan_make(j->plan, &numbers, &why) != SSGI_OK) return kit_fail(err, "%s", why);
+    ssgi_plan_choice(&j->plan[1], j->plan->cheaper, &numbers);
+    ssgi_plan_choice(&j->plan[2], j->plan->dearer, &numbers);
+    j->r.plan = j->plan;
+    j->unmet = numbers.error > 0 && !j->plan->meets;
+    if (!o->json) puts(j->plan->why);
+    if (j->plan->method == SSGI_PLAN_METHOD_NOTHING) {
         if (kit_image_new(picture, j->gbuffer.viewport[2], j->gbuffer.viewport[3], "Y", err)) return -1;
         for (int i = 0; i < picture->width * picture->height; ++i) picture->data[i] = 1;
-    } else if (kit_plan_method(&j->method, &j->plan, o->planned - 1, err)) return -1;
+    } else if (kit_plan_method(&j->method, j->plan, o->planned - 1, err)) return -1;
     j->r.lit = j->method.lit || render_plans_light(o);
     return 0;
 }
@@ -452,5 +457,5 @@ int main(int argc, char **argv)
     if (failed) return fail(err.text);
     if (kit_streams_close(&err)) return fail(err.text);
     if (!j.o.list) end_job(&j);
-    return 0;
+    return j.unmet;
 }

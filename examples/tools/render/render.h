@@ -26,7 +26,8 @@ typedef struct options {
     int         guess;                     /* 1: the radius is guessed from the local maxima of the mesh's y */
     int         planned;                   /* SSGI_PLAN_WANTED_.. plus 1; 0: not asked for */
     double      plan[2];                   /* error, budget */
-    int         plan_in_ms;                /* 1: the budget is in modelled milliseconds of an RX 6800 */
+    int         plan_relative;             /* 1: the error is in percent of that without occlusion */
+    int         plan_in_ms;                /* 1: the budget is in milliseconds, not in ssaos */
     /* the output */
     const char *out, *score, *save, *listed;
     int         time, json, list, colours, backdrop;
@@ -51,7 +52,7 @@ enum { GROUPS = 3 };
 typedef struct result {
     kit_image        picture, frame;
     const kit_run   *run;
-    const ssgi_plan *plan;
+    const ssgi_plan *plan;                 /* the plan, the next cheaper and the next dearer choice; NULL: no plan */
     double          *ms;
     int              frames, lit;
     kit_score        score[GROUPS];
@@ -73,10 +74,11 @@ typedef struct job {
     kit_frames   frames;
     kit_lighting lighting;
     kit_world    world;
-    ssgi_plan    plan;
+    ssgi_plan    plan[3];
     double       radius;
     double       origin[3];                /* the point of the user's coordinates that is 0 in the scene or frame */
     int          framed;                   /* 1: the first frame has set origin */
+    int          unmet;                    /* 1: no choice meets the plan's error */
     int          noted;                    /* 1: a note said that a frame's normals fit another lens */
     result       r;
 } job;

@@ -66,13 +66,31 @@ static void json_value(const char *before, const char *key, double value, int de
     kit_json_number(stdout, value, decimals);
 }
 
-static void json_plan(const ssgi_plan *plan)
+static void json_choice(const ssgi_plan *plan, int wanted)
 {
-    printf(", \"plan\": {");
-    json_value("", "error", (double)plan->error, -6);
+    char settings[256], text[320];
+    const char *method = kit_plan_text(settings, plan, wanted);
+    snprintf(text, sizeof text, "%s%s%s", method ? method : "nothing", method && *settings ? " " : "",
+             method ? settings : "");
+    json_value("{", "error", (double)plan->error, -6);
+    if (plan->unoccluded > 0) json_value(", ", "relative", (double)(plan->error / plan->unoccluded), -6);
     json_value(", ", "cost", (double)plan->cost, -6);
+    json_text(", ", "method", text);
+}
+
+static void json_plan(const options *o, const ssgi_plan *plan)
+{
+    printf(", \"plan\": ");
+    json_choice(plan, o->planned - 1);
+    json_text(", ", "cost_unit", o->plan_in_ms || !(o->plan[1] > 0) ? "ms" : "ssaos");
     json_value(", ", "meets", plan->meets, 0);
     json_text(", ", "why", plan->why);
+    for (int k = 1; k < 3; ++k) {
+        if ((k > 1 ? plan->dearer : plan->cheaper) < 0) continue;
+        printf(", \"%s\": ", k > 1 ? "dearer" : "cheaper");
+        json_choice(&plan[k], o->planned - 1);
+        printf("}");
+    }
     printf("}");
 }
 
@@ -143,7 +161,7 @@ static void report_json(const options *o, const kit_method *m, const char *what,
     json_value(", ", "radius", radius, -9);
     json_value(", ", "width", r->picture.width, 0);
     json_value(", ", "height", r->picture.height, 0);
-    if (r->plan) json_plan(r->plan);
+    if (r->plan) json_plan(o, r->plan);
     if (r->run) json_settings(m, r->run);
     if (o->time && r->run) json_times(r);
     for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) json_score(r, g);
