@@ -175,10 +175,8 @@ static int papers(const options *o, kit_error *err)
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
-static int fit(const options *o, kit_error *err) { return plan_fit(o->out, err); }
-
 /* Bits for a command's options beside --out and --context. ahead: runs before there is a GL context; NULL: none. */
-enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, DRAWN = 64 };
+enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, DRAWN = 64, SOME = 128 };
 typedef int step(const options *o, kit_error *err);
 static const struct command { const char *name, *about; int takes; step *run, *ahead; } commands[] = {
     { "demo", "Images and tables of every method beside the ground truth, in two minutes.", MESH, demo, NULL },
@@ -192,8 +190,9 @@ static const struct command { const char *name, *about; int takes; step *run, *a
     { "seeds", "Ambient occlusion on scenes by seed and on models: seeds.csv.", QUICK | METHOD | SEEDS | DRAWN, seeds,
       seeds_ahead },
     { "papers", "The papers' tables and figures, in some minutes: papers.csv.", QUICK | PAPER, papers, NULL },
-    { "fit", "The errors that build/fit fits the planner's table to: plan-fit.csv.", 0, fit, plan_fit_ahead },
-    { "plan", "The planner on views that it was not fitted on: plan.csv.", 0, plan, plan_ahead }
+    { "fit", "The errors that build/fit fits the planner's table to: plan-fit.csv.", QUICK | SOME, plan_fit,
+      plan_fit_ahead },
+    { "plan", "The planner on views that it was not fitted on: plan.csv.", QUICK | SOME, plan, plan_ahead }
 };
 /* The options. of: the commands that take one; 0: all. */
 #define TO(member) .at = offsetof(options, member)
@@ -203,6 +202,7 @@ static const struct argument { kit_option option; int of; } arguments[] = {
       0 },
     { { "--mesh", "MODEL", "Ambient occlusion of that model alone.", .kind = KIT_TEXT, TO(mesh) }, MESH },
     { { "--quick", NULL, "Smaller images and fewer rows.", .kind = KIT_FLAG, TO(quick) }, QUICK },
+    { { "--visibility", NULL, "Ambient visibility alone, without light.", .kind = KIT_FLAG, TO(visibility) }, SOME },
     { { "--scene", "NAME", "Ambient occlusion of that scene alone. It may be given several times.", .kind = KIT_LIST,
         TO(scene), .most = MOST_SCENES, .said = offsetof(options, scenes) }, SCENES },
     { { "--method", "NAME", "Methods whose names begin so, without scenes by seed and the planner.", .kind = KIT_TEXT,

@@ -25,6 +25,6 @@ int  plan_ahead(const options *o, kit_error *err);
 int  plan_chart(FILE *record, const options *o, kit_error *err);
 void plan_text(FILE *f);
 int  plan_fit_ahead(const options *o, kit_error *err);
-int  plan_fit(const char *out, kit_error *err);
+int  plan_fit(const options *o, kit_error *err);
 
 #endif

@@ -8,18 +8,31 @@
 
 /* ---- >>judging --------------------------------------------------------------------------------------------------- */
 
+/* Errors are asked for in two ways: as an RMSE, with measured costs in software, and as a relative error, with modelled
+   costs on a GPU. */
+enum { BY_RMSE, RELATIVE, WAYS };
+static const char *const way_names[WAYS] = { "", ", relative errors on a GPU" };
 enum { PLANNED_ERRORS = 6 };
-/* by the wanted quantity */
-static const double planned_errors[4][PLANNED_ERRORS] = { { 0.015, 0.02, 0.03, 0.045, 0.07, 0.1 },
-                                             { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
-                                             { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
-                                             { 0.01, 0.015, 0.02, 0.03, 0.05, 0.08 } };
+/* by the way, and by the wanted quantity */
+static const double planned_errors[WAYS][4][PLANNED_ERRORS] = { { { 0.015, 0.02, 0.03, 0.045, 0.07, 0.1 },
+                                                                  { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
+                                                                  { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
+                                                                  { 0.01, 0.015, 0.02, 0.03, 0.05, 0.08 } },
+                                                                { { 0.25, 0.3, 0.35, 0.4, 0.5, 0.6 },
+                                                                  { 0.3, 0.35, 0.4, 0.5, 0.6, 0.7 },
+                                                                  { 0.4, 0.45, 0.5, 0.6, 0.7, 0.8 },
+                                                                  { 0.1, 0.15, 0.2, 0.3, 0.4, 0.5 } } };
 /* Verdicts on plans: each counts the plans for which it is true or might be. GOOD: at most 1.2 times the error asked
-   for, at most 1.25 times the cost of the cheapest choice that meets it. TOLD: the plan says if no choice meets it. */
-enum { GOOD, GOOD_NEEDED, WITHIN, TOLD, VERDICTS };
+   for, at most 1.25 times the cost of the cheapest choice that meets it. TOLD: the plan says if no choice meets it. MET
+   and DEAR count where doing nothing would not do: within 5 % of the error asked for, as the plan promises; and above
+   1.5 times the cost of the cheapest choice within them. */
+enum { GOOD, GOOD_NEEDED, WITHIN, TOLD, MET, DEAR, VERDICTS };
 static const char *const verdict_names[VERDICTS] = { "", ", where doing nothing would not do",
                                                      ", within 1.2 of the error alone",
-                                                     ", what no choice meets: told" };
+                                                     ", what no choice meets: told",
+                                                     ", within 1.05 where doing nothing would not do",
+                                                     ", above 1.5 of the cost there" };
+#define PROMISED 1.05
 typedef struct verdict { int is[VERDICTS], of[VERDICTS]; } verdict;
 
 static void count(verdict *v, int k, int is)
@@ -47,36 +60,55 @@ static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
 /* How a plan knows its scene: by rays; by a survey; by the part of a survey that a captured frame gives. */
 enum { CALIBRATED, SURVEYED, CAPTURED, KNOWN };
 
+/* Returns the measured error of an image without occlusion. */
+static double nothing_of(const planned_row *r)
+{
+    ssgi_plan p;
+    int i = 0;
+    while (!ssgi_plan_choice(&p, i, &r->numbers)) ++i;                /* nothing is the first choice of each quantity */
+    return r->error[i];
+}
+
 /* Compares the plan for an error with the cheapest measured choice that meets it. Writes to csv (NULL: none) the plan's
    choice, its predicted error, its measured error and cost; the cheapest choice, its error and cost. */
-static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int known, int history)
+static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int known, int history, int way)
 {
     static const char *const names[] = { "visibility", "light", "bounce", "objects" };
     ssgi_plan_scene numbers = known == CAPTURED ? r->captured : r->numbers;
     ssgi_plan plan, cheapest, p;
+    double cost[SSGI_PLAN_CHOICES], least = HUGE_VAL;
     int taken = -1, best = -1;
     char text[2][320];
     numbers.error = (float)asked;
+    numbers.unit = way == RELATIVE ? SSGI_PLAN_UNIT_RELATIVE : SSGI_PLAN_UNIT_RMSE;
+    numbers.device = way == RELATIVE ? SSGI_PLAN_DEVICE_RX_6800 : SSGI_PLAN_DEVICE_SOFTWARE;
+    asked *= way == RELATIVE ? nothing_of(r) : 1;
     numbers.history = history;
     if (known != CALIBRATED) numbers.calibration.known = 0;
     if (!(numbers.screen_radius > 0) || ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) return;
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (isnan(r->error[i]) || !ssgi_plan_choice(&p, i, &numbers)) continue;
+        cost[i] = way == RELATIVE ? (double)p.cost : r->cost[i];
         if (same_plan(&p, &plan)) taken = i;
-        if (r->error[i] <= asked && (best < 0 || r->cost[i] < r->cost[best])) best = i;
+        if (r->error[i] <= asked && (best < 0 || cost[i] < cost[best])) best = i;
+        if (r->error[i] <= PROMISED * asked) least = fmin(least, cost[i]);
+    }
+    if (taken >= 0 && least > 0 && least < HUGE_VAL) {                /* 0: doing nothing does */
+        count(v, MET, r->error[taken] <= PROMISED * asked);
+        count(v, DEAR, cost[taken] > 1.5 * least);
     }
     if (best < 0) count(v, TOLD, !plan.meets);
     if (best < 0 || taken < 0) return;
     const int within = r->error[taken] <= 1.2 * asked,
-              good = within && r->cost[taken] <= 1.25 * r->cost[best] + 1e-9;
+              good = within && cost[taken] <= 1.25 * cost[best] + 1e-9;
     ssgi_plan_choice(&cheapest, best, &numbers);
     count(v, GOOD, good);
     count(v, WITHIN, within);
     if (cheapest.method != SSGI_PLAN_METHOD_NOTHING) count(v, GOOD_NEEDED, good);
     if (csv)
         fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, names[r->numbers.wanted], asked,
-                plan_name(text[0], &plan, r->numbers.wanted), (double)plan.error, r->error[taken], r->cost[taken],
-                plan_name(text[1], &cheapest, r->numbers.wanted), r->error[best], r->cost[best], good);
+                plan_name(text[0], &plan, r->numbers.wanted), (double)plan.error, r->error[taken], cost[taken],
+                plan_name(text[1], &cheapest, r->numbers.wanted), r->error[best], cost[best], good);
 }
 
 /* Writes a row's numbers as lines of a csv. fits: 1 if the row fits the plan; 2 if its choices were also not timed. */
@@ -99,32 +131,33 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
     }
 }
 
-int plan_fit_ahead(const options *o, kit_error *err) { return planned_seeds_ahead(0, PLANNED_SEEDS, o->context, err); }
-
-static int judging_seeds(const options *o) { return o->quick ? PLANNED_QUICK_SEEDS : PLANNED_JUDGES; }
+int plan_fit_ahead(const options *o, kit_error *err)
+{
+    return planned_seeds_ahead(0, PLANNED_SEEDS, o->visibility, o->context, err);
+}
 
 int plan_ahead(const options *o, kit_error *err)
 {
-    return planned_seeds_ahead(SEEDS_JUDGED, judging_seeds(o), o->context, err);
+    return planned_seeds_ahead(SEEDS_JUDGED, PLANNED_JUDGES, o->quick || o->visibility, o->context, err);
 }
 
 /* Writes the csv that examples/lab/fit.c reads. */
-int plan_fit(const char *out, kit_error *err)
+int plan_fit(const options *o, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
     page csv;
     int count = 0;
-    if (planned_views_measure(rows, &count, 1, 0, err)
-        || planned_seeds_measure(rows, &count, 0, PLANNED_SEEDS, err) || page_open(&csv, err))
+    if (planned_views_measure(rows, &count, 1, o->visibility, err)
+        || planned_seeds_measure(rows, &count, 0, PLANNED_SEEDS, o->visibility, err) || page_open(&csv, err))
         return -1;
     for (int i = 0; i < count; ++i) planned_numbers_csv(csv.file, &rows[i], rows[i].timed ? 1 : 2);
-    return page_close(&csv, out, "plan-fit.csv", err);
+    return page_close(&csv, o->out, "plan-fit.csv", err);
 }
 
-/* Two sets of scenes: named ones and those by seed. A set's verdicts, by how the plan knows a scene, count plans with
-   and without history. */
+/* Two sets of scenes: named ones and those by seed. A set's verdicts, by how the plan is asked and how it knows a
+   scene, count plans with and without history. */
 enum { SCENES, SEEDS, SETS };
-static verdict verdicts[SETS][KNOWN];
+static verdict verdicts[WAYS][SETS][KNOWN];
 
 static const char *const known_names[KNOWN] = { "with a calibration", "without a calibration, from a survey",
                                                 "of a captured frame: survey without slabs, no surfels" };
@@ -135,25 +168,25 @@ static int plan_summary(FILE *record, const char *out, kit_error *err)
     page csv;
     if (page_open(&csv, err)) return -1;
     fputs("what,good,pairs\n", csv.file);
-    for (int k = 0; k < SETS * KNOWN; ++k) {
-        const verdict *v = &verdicts[k / KNOWN][k % KNOWN];
+    for (int k = 0; k < WAYS * SETS * KNOWN; ++k) {
+        const verdict *v = &verdicts[k / KNOWN / SETS][k / KNOWN % SETS][k % KNOWN];
         for (int i = 0; i < VERDICTS && v->of[GOOD]; ++i)
-            fprintf(csv.file, "\"%s, %s%s\",%d,%d\n", set_names[k / KNOWN], known_names[k % KNOWN], verdict_names[i],
-                    v->is[i], v->of[i]);
+            fprintf(csv.file, "\"%s%s, %s%s\",%d,%d\n", set_names[k / KNOWN % SETS], way_names[k / KNOWN / SETS],
+                    known_names[k % KNOWN], verdict_names[i], v->is[i], v->of[i]);
     }
     return page_csv(record, "rows", &csv, out, "plan-summary.csv", err);
 }
 
 /* Judges rows first .. count - 1, which are of one set, and counts the verdicts. */
-static void judge_all(verdict v[KNOWN], FILE *csv, const planned_row *rows, int first, int count)
+static void judge_all(int scenes, FILE *csv, const planned_row *rows, int first, int count)
 {
     fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", csv);
     for (int i = first; i < count; ++i)
         for (int known = 0; known < KNOWN; ++known)
-            for (int history = 0; history < 2; ++history) {
-                FILE *const shown = known == CALIBRATED && !history ? csv : NULL;
-                for (int k = 0; k < PLANNED_ERRORS; ++k)
-                    judge(&v[known], shown, &rows[i], planned_errors[rows[i].numbers.wanted][k], known, history);
+            for (int k = 0; k < WAYS * 2 * PLANNED_ERRORS; ++k) {
+                const int way = k / PLANNED_ERRORS / 2, history = k / PLANNED_ERRORS % 2;
+                judge(&verdicts[way][scenes][known], known == CALIBRATED && !history && !way ? csv : NULL, &rows[i],
+                      planned_errors[way][rows[i].numbers.wanted][k % PLANNED_ERRORS], known, history, way);
             }
 }
 
@@ -162,15 +195,15 @@ int plan_chart(FILE *record, const options *o, kit_error *err)
     static planned_row rows[MOST_PLANNED];
     page csv, by_seed, numbers;
     int views = 0, count;
-    if (planned_views_measure(rows, &views, 0, o->quick, err)) return -1;
+    if (planned_views_measure(rows, &views, 0, o->quick || o->visibility, err)) return -1;
     count = views;
-    if (planned_seeds_measure(rows, &count, SEEDS_JUDGED, judging_seeds(o), err) || page_open(&csv, err)
-        || page_open(&by_seed, err) || page_open(&numbers, err))
+    if (planned_seeds_measure(rows, &count, SEEDS_JUDGED, PLANNED_JUDGES, o->quick || o->visibility, err)
+        || page_open(&csv, err) || page_open(&by_seed, err) || page_open(&numbers, err))
         return -1;
     memset(verdicts, 0, sizeof verdicts);
     planned_smooth(rows, count);
-    judge_all(verdicts[SCENES], csv.file, rows, 0, views);
-    judge_all(verdicts[SEEDS], by_seed.file, rows, views, count);
+    judge_all(SCENES, csv.file, rows, 0, views);
+    judge_all(SEEDS, by_seed.file, rows, views, count);
     for (int i = 0; i < count; ++i) planned_numbers_csv(numbers.file, &rows[i], 0);
     page_heading(record, 2, "What a scene needs");
     page_paragraph(record,
@@ -188,12 +221,13 @@ int plan_chart(FILE *record, const options *o, kit_error *err)
 void plan_text(FILE *f)
 {
     fputs("\nplan, on scenes that it was not fitted on: good; where something is needed; within the error; errors that "
-          "cannot be met, and are told\n",
+          "cannot be met, and are told; met and too dear, where something is needed\n",
           f);
-    for (int k = 0; k < SETS * KNOWN; ++k) {
-        const verdict *v = &verdicts[k / KNOWN][k % KNOWN];
+    for (int k = 0; k < WAYS * SETS * KNOWN; ++k) {
+        const verdict *v = &verdicts[k / KNOWN / SETS][k / KNOWN % SETS][k % KNOWN];
         if (!v->of[GOOD]) continue;
-        fprintf(f, "%-8s %-55s", set_names[k / KNOWN], known_names[k % KNOWN]);
+        fprintf(f, "%-8s %-55s%s\n    ", set_names[k / KNOWN % SETS], known_names[k % KNOWN],
+                way_names[k / KNOWN / SETS]);
         for (int i = 0; i < VERDICTS; ++i) fprintf(f, " %4d of %-4d", v->is[i], v->of[i]);
         fputs("\n", f);
     }

@@ -36,8 +36,7 @@ static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
 
 enum {
     PLANNED_VIEWS = COUNT(planned_views),
-    PLANNED_SLOW = 20, /* a cost, in times of an unblurred 16-sample ssao */
-    PLANNED_QUICK_RAYS = 256
+    PLANNED_SLOW = 20 /* a cost, in times of an unblurred 16-sample ssao */
 };
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
@@ -150,12 +149,14 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
 
 static int is_lit(int wanted) { return wanted == SSGI_PLAN_WANTED_LIGHT || wanted == SSGI_PLAN_WANTED_BOUNCE; }
 
-/* Measures the plan's choices for a wanted quantity on a stage after stage_look, and closes the stage. */
+/* Measures the plan's choices for a wanted quantity on a stage after stage_look, and closes the stage. A quick run, of
+   smaller images, traces about as many pixels by fewer rays. */
 static int stage_measure(planned_row *r, stage *s, const char *name, int wanted, int rays, int timed, kit_error *err)
 {
     kit_image truth;
     s->between = wanted == SSGI_PLAN_WANTED_OBJECTS;
-    if (stage_trace(&truth, s, rays, SEED_STRIDE, err) || (is_lit(wanted) && stage_light(s, err))
+    if (stage_trace(&truth, s, rays / stage_thrift / stage_thrift, SEED_STRIDE / stage_thrift, err)
+        || (is_lit(wanted) && stage_light(s, err))
         || planned_measure(r, s, &truth, name, wanted, timed, err))
         return -1;
     kit_image_free(&truth);
@@ -163,8 +164,8 @@ static int stage_measure(planned_row *r, stage *s, const char *name, int wanted,
     return 0;
 }
 
-/* Measures view k for a wanted quantity. quick: fewer rays. Returns 1; 0 if the package of its scene is missing. */
-static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error *err)
+/* Measures view k for a wanted quantity. Returns 1; 0 if the package of its scene is missing. */
+static int planned_view(planned_row *r, int k, int wanted, kit_error *err)
 {
     const plan_view *p = &planned_views[k];
     const int lights = is_lit(wanted), white = !p->fits && k % 5 == 0;
@@ -173,7 +174,7 @@ static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error 
     const int suns = !strcmp(light, "suns");
     const lit of_light = { .env = suns ? "white" : light,
                            .bounce = wanted == SSGI_PLAN_WANTED_BOUNCE,
-                           .rays = quick ? PLANNED_QUICK_RAYS : SEED_RAYS,
+                           .rays = SEED_RAYS,
                            .exposure = 1 };
     char name[64];
     stage s;
@@ -183,14 +184,13 @@ static int planned_view(planned_row *r, int k, int wanted, int quick, kit_error 
     return stage_measure(r, &s, name, wanted, of_light.rays, 1, err) ? -1 : 1;
 }
 
-int planned_views_measure(planned_row *rows, int *count, int fits, int quick, kit_error *err)
+int planned_views_measure(planned_row *rows, int *count, int fits, int visibility, kit_error *err)
 {
-    for (int k = 0, shown = 0; k < PLANNED_VIEWS; ++k) {
+    for (int k = 0; k < PLANNED_VIEWS; ++k) {
         const plan_view *p = &planned_views[k];
-        if (p->fits != fits || (quick && ++shown % 3 != 1)) continue;
-        for (int wanted = 0, there = 1; wanted < (p->objects ? 4 : 3) && there; ++wanted) {
-            if (is_lit(wanted) && quick && shown % 2) continue;
-            there = planned_view(&rows[*count], k, wanted, quick, err);
+        if (p->fits != fits) continue;
+        for (int wanted = 0, there = 1; wanted < (visibility ? 1 : p->objects ? 4 : 3) && there; ++wanted) {
+            there = planned_view(&rows[*count], k, wanted, err);
             if (there < 0) return -1;
             *count += there;
         }
@@ -220,47 +220,54 @@ static int seed_measure(planned_row *r, int seed, int wanted, kit_error *err)
 /* Returns a hash of this program and its tables, on which the kept results depend. */
 static uint64_t program(void) { return units_hash(KIT_HASH, "/proc/self/exe"); }
 
-/* Measures the rows of a scene by seed, or reads them from build/cache if they are there. */
-static int seed_rows(planned_row rows[SEED_WANTED], int seed, uint64_t key, kit_error *err)
+/* Measures the row of a scene by seed, or reads it from build/cache if it is there. */
+static int seed_row(planned_row *r, int seed, int wanted, uint64_t key, kit_error *err)
 {
     char path[128], *data;
     size_t size;
     kit_error note;
-    snprintf(path, sizeof path, FOLDER_CACHE "/planned-%d-%016llx", seed, (unsigned long long)key);
+    snprintf(path, sizeof path, FOLDER_CACHE "/planned-%d-%d-%d-%016llx", seed, wanted,
+             SEED_HEIGHT / stage_thrift, (unsigned long long)key);
     if (!kit_file_read(&data, &size, path, NULL)) {
-        const int whole = size == SEED_WANTED * sizeof *rows;
-        if (whole) memcpy(rows, data, size);
+        const int whole = size == sizeof *r;
+        if (whole) memcpy(r, data, size);
         free(data);
         if (whole) return 0;
     }
-    for (int wanted = 0; wanted < SEED_WANTED; ++wanted)
-        if (seed_measure(&rows[wanted], seed, wanted, err)) return -1;
-    if (folder_make(FOLDER_CACHE, &note) || kit_file_write(path, rows, SEED_WANTED * sizeof *rows, &note))
+    if (seed_measure(r, seed, wanted, err)) return -1;
+    if (folder_make(FOLDER_CACHE, &note) || kit_file_write(path, r, sizeof *r, &note))
         fprintf(stderr, "report: note: measurements are not kept: %s\n", note.text);
     return 0;
 }
 
-int planned_seeds_measure(planned_row *rows, int *count, int first, int seeds, kit_error *err)
+int planned_seeds_measure(planned_row *rows, int *count, int first, int seeds, int visibility, kit_error *err)
 {
+    const int each = visibility ? 1 : SEED_WANTED;
     const uint64_t key = program();
-    for (int k = 0; k < seeds; ++k, *count += SEED_WANTED) {
-        if (seed_rows(&rows[*count], first + k, key, err)) return -1;
-        kit_progress("plan, by seed", (k + 1.0) / seeds);
+    for (int k = 0; k < each * seeds; ++k) {
+        if (seed_row(&rows[(*count)++], first + k / each, k % each, key, err)) return -1;
+        kit_progress("plan, by seed", (k + 1.0) / (each * seeds));
     }
     kit_progress("plan, by seed", 1);
     return 0;
 }
 
-static int keep_one(void *key, int seed, kit_error *err)
+/* What keep_one keeps. */
+typedef struct kept { uint64_t key; int visibility; } kept;
+
+static int keep_one(void *of, int seed, kit_error *err)
 {
-    planned_row rows[SEED_WANTED];
-    return seed_rows(rows, seed, *(const uint64_t *)key, err);
+    const kept *k = of;
+    planned_row r;
+    for (int wanted = 0; wanted < (k->visibility ? 1 : SEED_WANTED); ++wanted)
+        if (seed_row(&r, seed, wanted, k->key, err)) return -1;
+    return 0;
 }
 
-int planned_seeds_ahead(int first, int seeds, const char *context, kit_error *err)
+int planned_seeds_ahead(int first, int seeds, int visibility, const char *context, kit_error *err)
 {
-    uint64_t key = program();
-    const ahead a = { "plan, by seed", context, first, seeds, NULL, keep_one, &key };
+    kept k = { program(), visibility };
+    const ahead a = { "plan, by seed", context, first, seeds, NULL, keep_one, &k };
     return ahead_run(&a, err);
 }
 

@@ -10,7 +10,7 @@ enum { MOST_SCENES = 16, MOST_SEEDS = 1000 };
 /* The options of a command; NULL or 0: not given. */
 typedef struct options {
     const char *out, *mesh, *method, *paper, *context, *scene[MOST_SCENES];
-    int quick, scenes;
+    int quick, visibility, scenes;                    /* visibility: of the plan alone, without light */
     int first, seeds;                        /* first: seed of the scenes (below 0: not given); seeds: how many */
     const char *drawn;                       /* the hash of this text draws half of the seeds of the chart */
 } options;
