@@ -389,6 +389,7 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
     s.occluders = data[3 % size];
     s.map = data[4 % size] % 2;
     s.surfels = data[5 % size] % 2 ? (double)f[count - 1] : 0.0;
+    s.unit = data[9 % size] % 4 - 1;
     s.error = f[0];
     s.budget = f[1];
     s.screen_radius = f[2];
