@@ -5220,7 +5220,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    plan.size -> plan.surfel_size
 
    By hand: with SSGI_GL_SEARCH_MARCH desc.gather.directions keeps its name, and so does desc.gather.samples in pass
-   LIGHTS, where it counts the points on a segment. In JavaScript Ssgi.text is now Ssgi.shader.
+   LIGHTS, where it counts the points on a segment. In JavaScript Ssgi.text is now Ssgi.shader. ssgi_gl_step_check is
+   for any API: it takes a binding for each of step->inputs in their order, not by unit, and in ssgi_gl_bound names of
+   formats instead of GL's numbers. In GL ssgi_gl_bound_of makes a binding of the numbers that the struct had.
 
    An orthographic eye may stand anywhere. If the near plane lies behind the eye or is far away, depth inside the
    shaders begins at the near plane: frame.decode[3] is its view depth, and ssgi_decode returns your own depth, as

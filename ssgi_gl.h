@@ -1074,21 +1074,28 @@ SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i);
             Fields may be CUSTOM: set chain->desc.shader.fetch then, which ssgi_gl_steps asks for */
 SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, const char **why);
 
-/* GL's state of the texture at a unit, or of a target. */
+/* A texture as it is bound, in any API. */
 typedef struct ssgi_gl_bound {
-    unsigned target; /* GL_TEXTURE_2D ..; not looked at in targets */
-    unsigned format; /* GL_TEXTURE_INTERNAL_FORMAT; 0: nothing is bound */
+    const char *format; /* its name in ssgi_gl_format ("R16F", "VK_FORMAT_R16_SFLOAT", "r16float"). Of yours any name by
+                           any API: of depth it has DEPTH, or D and the bits (D24_UNORM_S8_UINT), of integers INT, or I
+                           at its end ("R8UI"). NULL: nothing is bound */
     int width, height;
-    unsigned filter;  /* GL_TEXTURE_MIN_FILTER; not looked at in targets */
-    unsigned compare; /* GL_TEXTURE_COMPARE_MODE; not looked at in targets */
-    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; not looked at if it is 0, and in targets */
+    int array, multisampled; /* as in ssgi_gl_input; not looked at in targets */
+    int filter;  /* of the texture, or of the sampler beside it. 0: nearest, or there is none; 1: linear, in whichever
+                   direction; 2: reads mip levels; not looked at in targets */
+    int compare; /* 1: compares depth; not looked at in targets */
 } ssgi_gl_bound;
 
-/* For debug builds: writes a sentence on the first fault of a draw, which names step, texture and unit. It works like
-   snprintf, and returns 0 if there is no fault.
-     units      the texture at each of 16 units; NULL: units are not checked
-     targets    the target of each of step->outputs; NULL: targets are not checked */
-SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
+/* Returns a binding of OpenGL: the texture's target (GL_TEXTURE_2D ..), its GL_TEXTURE_INTERNAL_FORMAT (0: nothing is
+   bound), size, GL_TEXTURE_MIN_FILTER, _MAG_FILTER and _COMPARE_MODE. */
+SSGI_DEF ssgi_gl_bound ssgi_gl_bound_of(unsigned target, unsigned internal, int width, int height, unsigned minify,
+                                        unsigned magnify, unsigned compare);
+
+/* For debug builds: writes a sentence on the first fault of a draw, which names step, texture, its unit (VULKAN: set
+   and binding), and what it must be. It works like snprintf, and returns 0 if there is no fault.
+     inputs     the texture that is bound for each of step->inputs; NULL: they are not checked
+     targets    the target of each of step->outputs; NULL: they are not checked */
+SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound *inputs,
                                    const ssgi_gl_bound *targets);
 
 /* ==== >>frame ================================================================================================== */
@@ -8602,46 +8609,93 @@ SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, co
     return SSGI_OK;
 }
 
-/* Returns a sentence on a wrong texture of an input, or with `in` NULL of an output; NULL: it is right. */
-static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
-                                  int width, int height)
+/* Returns whether a name contains a word of small letters, in any case, or ends with it. */
+static int ssgi_gl__within_name(const char *name, const char *word, int at_end)
 {
-    const unsigned f = is->format;
-    const int integer = (f >= SSGI_GL__R8I && f <= SSGI_GL__RG32UI) || (f >= SSGI_GL__RGBA32UI && f <= SSGI_GL__RGB8I);
-    const int depth = f == SSGI_GL__DEPTH_COMPONENT || f == SSGI_GL__DEPTH24_STENCIL8
-                   || f == SSGI_GL__DEPTH_COMPONENT32F || f == SSGI_GL__DEPTH32F_STENCIL8
-                   || (f >= SSGI_GL__DEPTH_COMPONENT16 && f <= SSGI_GL__DEPTH_COMPONENT32);
-    const int m = in ? in->meaning : -1;
-    if (!f) return "nothing is bound";
-    if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
-    if (format && f != format->internal) return "is not of the format that the step names";
-    if (in && integer != in->integer) return "must hold integers if its sampler does, and only then";
-    if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
-    if (is->width < width || is->height < height) return "is smaller than the picture";
-    if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size, but must be smaller";
-    if (!in || in->target == SSGI_GL__TEXTURE_2D_MULTISAMPLE) return NULL; /* Samples are not filtered. */
-    if (is->filter >= SSGI_GL__NEAREST_MIPMAP_NEAREST)
-        return "must have GL_NEAREST as its minifying filter: this one reads mip levels";
-    if (is->filter == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its minifying filter";
-    if (is->magnify == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its magnifying filter";
-    return is->compare ? "must have GL_NONE as its compare mode" : NULL;
+    const size_t n = strlen(word), length = strlen(name);
+    for (size_t i = at_end && length > n ? length - n : 0; i + n <= length; ++i)
+        if (ssgi_gl__same(word, name + i, n)) return 1;
+    return 0;
 }
 
-SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
+/* Returns whether a format is of depth: by the word, or by D and a number, as in D24_UNORM_S8_UINT. */
+static int ssgi_gl__is_depth(const char *name)
+{
+    for (const char *at = name; (at = strchr(at, 'D')) != NULL; ++at)
+        if ((at == name || at[-1] == '_') && at[1] >= '1' && at[1] <= '3') return 1;
+    return ssgi_gl__within_name(name, "depth", 0);
+}
+
+SSGI_DEF ssgi_gl_bound ssgi_gl_bound_of(unsigned target, unsigned internal, int width, int height, unsigned minify,
+                                        unsigned magnify, unsigned compare)
+{
+    const ssgi_gl_format *const known = &ssgi_gl__formats[0][0];
+    const unsigned f = internal;
+    ssgi_gl_bound b = { NULL, width, height, 0, 0, 0, compare != 0 };
+    b.array = target != SSGI_GL__TEXTURE_2D && target != SSGI_GL__TEXTURE_2D_MULTISAMPLE;
+    b.multisampled = target == SSGI_GL__TEXTURE_2D_MULTISAMPLE;
+    b.filter = minify >= SSGI_GL__NEAREST_MIPMAP_NEAREST ? 2 : minify == SSGI_GL__LINEAR || magnify == SSGI_GL__LINEAR;
+    if (!f) return b;
+    b.format = "FLOAT";
+    if ((f >= SSGI_GL__R8I && f <= SSGI_GL__RG32UI) || (f >= SSGI_GL__RGBA32UI && f <= SSGI_GL__RGB8I))
+        b.format = "INT";
+    if (f == SSGI_GL__DEPTH_COMPONENT || f == SSGI_GL__DEPTH24_STENCIL8 || f == SSGI_GL__DEPTH_COMPONENT32F
+        || f == SSGI_GL__DEPTH32F_STENCIL8 || (f >= SSGI_GL__DEPTH_COMPONENT16 && f <= SSGI_GL__DEPTH_COMPONENT32))
+        b.format = "DEPTH";
+    for (size_t i = 0; i < sizeof ssgi_gl__formats / sizeof **ssgi_gl__formats; ++i)
+        if (known[i].internal == f) b.format = known[i].name;
+    for (int i = 0; i < 2; ++i)
+        if (ssgi_gl__bytes[i].internal == f) b.format = ssgi_gl__bytes[i].name;
+    return b;
+}
+
+/* Writes a sentence on a wrong texture of an input, or with `in` NULL of an output; nothing if it is right. */
+static void ssgi_gl__wrong(ssgi_gl__text *t, const ssgi_gl_bound *is, const ssgi_gl_input *in,
+                           const ssgi_gl_format *format, int width, int height)
+{
+    const char *const f = is->format;
+    const int m = in ? in->meaning : -1, depth = f && ssgi_gl__is_depth(f);
+    const int integer = f && !depth && (ssgi_gl__within_name(f, "int", 0) || ssgi_gl__within_name(f, "i", 1));
+    if (!f) ssgi_gl__print(t, "nothing is bound");
+    else if (in && (in->array != (is->array != 0) || in->multisampled != (is->multisampled != 0)))
+        ssgi_gl__print(t, "must be of the kind that %s reads", in->type);
+    else if (format && strcmp(f, format->name) && strcmp(f, format->vulkan_name) && strcmp(f, format->webgpu))
+        ssgi_gl__print(t, "must be %s (%s, %s), not %s", format->name, format->vulkan_name, format->webgpu, f);
+    else if (in && integer != in->integer)
+        ssgi_gl__print(t, in->integer ? "must hold integers, not %s" : "must not hold integers: %s", f);
+    else if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW)
+        ssgi_gl__print(t, "must not hold depth: %s", f);
+    else if (is->width < width || is->height < height)
+        ssgi_gl__print(t, "is smaller than the picture: %dx%d, not %dx%d", is->width, is->height, width, height);
+    else if (in && format && width > 1 && is->width >= 2 * width - 1)
+        ssgi_gl__print(t, "is of full size: %dx%d, not %dx%d", is->width, is->height, width, height);
+    else if (!in || in->multisampled) return; /* Samples are not filtered. */
+    else if (is->filter == 2)
+        ssgi_gl__print(t, "must be read by nearest filters (GL_NEAREST): this one reads mip levels");
+    else if (is->filter && (depth || integer))
+        ssgi_gl__print(t, "must be read by nearest filters (GL_NEAREST), as it holds depth or integers");
+    else if (is->compare) ssgi_gl__print(t, "must not compare depth: GL_NONE, no comparison sampler");
+}
+
+SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound *inputs,
                                    const ssgi_gl_bound *targets)
 {
+    char what[200];
     ssgi_gl__text t = { out, capacity, 0, 0 };
-    for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
-        const ssgi_gl_input *in = &step->input[i];
-        const int any = in->last; /* A texture of the last frame has that frame's size. */
-        const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, any ? 0 : in->width, any ? 0 : in->height);
-        if (wrong)
-            ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit, wrong);
-    }
-    for (int i = 0; step && targets && i < step->outputs && !t.length; ++i) {
-        const ssgi_gl_output *o = &step->output[i];
-        const char *wrong = ssgi_gl__wrong(&targets[i], NULL, o->format, step->width, step->height);
-        if (wrong) ssgi_gl__print(&t, "%s: %s: %s", ssgi_gl_pass_name(step->desc.pass), o->name, wrong);
+    const int ins = step && inputs ? step->inputs : 0, outs = step && targets ? step->outputs : 0;
+    for (int i = 0; i < ins + outs && !t.length; ++i) {
+        const ssgi_gl_input *const in = i < ins ? &step->input[i] : NULL;
+        const ssgi_gl_output *const o = in ? NULL : &step->output[i - ins];
+        ssgi_gl__text fault = { what, sizeof what, 0, 0 };
+        /* A texture of the last frame has that frame's size. */
+        if (in) ssgi_gl__wrong(&fault, &inputs[i], in, in->format, in->last ? 0 : in->width, in->last ? 0 : in->height);
+        else ssgi_gl__wrong(&fault, &targets[i - ins], NULL, o->format, step->width, step->height);
+        if (!ssgi_gl__end(&fault)) continue;
+        ssgi_gl__print(&t, "%s: %s", ssgi_gl_pass_name(step->desc.pass), in ? in->name : o->name);
+        if (in && step->desc.shader.dialect == SSGI_GL_DIALECT_VULKAN)
+            ssgi_gl__print(&t, ", set %d, binding %d", in->set, in->binding);
+        else if (in) ssgi_gl__print(&t, ", unit %d", in->unit);
+        ssgi_gl__print(&t, ": %s", what);
     }
     return ssgi_gl__end(&t);
 }
