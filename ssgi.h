@@ -5249,6 +5249,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    "s3ho" ("s3ho,transfer=direct,packed_coefficients=0,restore=ratio"). PASS,PRESET is NAME,PRESET: "dss,best", not
    "splat,best".
 
+   New: pass debug, by the method's name "debug" or chain.desc.pass, shows what is wrong with depth, normals and the
+   block, a colour a fault: ssgi_gl_fault_at, SSGI_GL_FAULTS.
+
    New fields: gather.facets seeks occluders above the facets that depth shows, where smooth normals on coarse meshes
    or normal maps make facets darken themselves, while light and filters keep your normals. With gather.lift slices lift
    receivers by frame.offset: the edges of splats in clouds of points would else occlude like walls. With

@@ -472,6 +472,195 @@ static void wrong_things(void)
         }
 }
 
+/* ---- pass debug */
+
+enum { AS_IT_IS, ZEROS, SHIFTED, FLIPPED, WORLD, HALF, MIP_LEVELS, UNBOUND };
+/* A mistake, and the fault that most of the picture then shows. how: what is wrong with the block, or with the texture
+   of this meaning, whose texels are multiplied and shifted. radius: a factor. depth: KIT_DEPTH_.. */
+static const struct { const char *fault, *set; int how, meaning; float scale, shift, radius; int depth; } mistakes[] = {
+    { "BLOCK", "", ZEROS, 0, 1, 0, 1, 0 },
+    { "BLOCK", "", SHIFTED, 0, 1, 0, 1, 0 },
+    { "BLOCK", "", AS_IT_IS, 0, 1, 0, 0, 0 },
+    { "SIZE", "", HALF, SSGI_GL_YOUR_DEPTH, 1, 0, 1, 0 },
+    { "SIZE", "", HALF, SSGI_GL_YOUR_NORMAL, 1, 0, 1, 0 },
+    { "ZERO", "", UNBOUND, SSGI_GL_YOUR_DEPTH, 1, 0, 1, 0 },
+    { "RANGE", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 10, 0, 1, 0 },
+    { "RANGE", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, NAN, 0, 1, 0 },
+    { "RANGE", "depth=LINEAR", AS_IT_IS, SSGI_GL_YOUR_DEPTH, -10, 0, 1, 0 },
+    { "ZERO", "", MIP_LEVELS, SSGI_GL_YOUR_DEPTH, 1, 0, 1, 0 },
+    { "ZERO", "", MIP_LEVELS, SSGI_GL_YOUR_NORMAL, 1, 0, 1, 0 },
+    { "ZERO", "normal=UNSIGNED", MIP_LEVELS, SSGI_GL_YOUR_NORMAL, 1, 0, 1, 0 },
+    { "ZERO", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 0, 1, 0 },
+    { "ZERO", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 1, 1, KIT_DEPTH_REVERSED },
+    { "ZERO", "normal=UNSIGNED", AS_IT_IS, SSGI_GL_YOUR_NORMAL, 0, 0, 1, 0 },
+    { "BACKGROUND", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 1, 1, 0 },
+    { "BACKGROUND", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 0, 1, KIT_DEPTH_INFINITE },
+    { "BACKGROUND", "depth=LINEAR", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 0, 1, 0 },
+    { "ROWS", "", FLIPPED, 0, 1, 0, 1, 0 },
+    { "ROWS", "onto=MULTIPLY", FLIPPED, 0, 1, 0, 1, KIT_DEPTH_REVERSED },
+    { "NORMALS", "", WORLD, SSGI_GL_YOUR_NORMAL, 1, 0, 1, 0 },
+    { "NORMALS", "", AS_IT_IS, SSGI_GL_YOUR_NORMAL, -1, 0, 1, 0 },
+    { "NORMALS", "", AS_IT_IS, SSGI_GL_YOUR_NORMAL, 0.5f, 0.5f, 1, 0 },
+    { "NORMALS", "normal=UNSIGNED", AS_IT_IS, 0, 1, 0, 1, 0 },
+    { "NORMALS", "normal=OCTAHEDRAL", AS_IT_IS, 0, 1, 0, 1, 0 },
+    { "NORMALS", "left_handed=1", AS_IT_IS, 0, 1, 0, 1, 0 },
+    { "NORMALS", "depth=LINEAR", AS_IT_IS, 0, 1, 0, 1, 0 },
+    { "RADIUS", "", AS_IT_IS, 0, 1, 0, 1e-3f, 0 },
+    { "RADIUS", "normal=FROM_DEPTH", AS_IT_IS, 0, 1, 0, 1e3f, 0 }
+};
+
+/* Makes a texture of the G-buffer anew, with the mistake. world: the camera's matrix */
+static GLuint mistaken(host *h, const kit_gbuffer *g, int m, const float world[16])
+{
+    static float texel[4 * W * H];
+    const int normal = mistakes[m].meaning == SSGI_GL_YOUR_NORMAL, n = normal ? 4 : 1, half = mistakes[m].how == HALF;
+    if (!TRY(kit_texture_read(normal ? g->normal : g->depth, W, H, n, texel))) return 0;
+    for (int i = 0; i < W * H && mistakes[m].how == WORLD; ++i) { /* by the transpose of the camera's rotation */
+        const float was[3] = { texel[4 * i], texel[4 * i + 1], texel[4 * i + 2] };
+        for (int k = 0; k < 3; ++k)
+            texel[4 * i + k] = world[4 * k] * was[0] + world[4 * k + 1] * was[1] + world[4 * k + 2] * was[2];
+    }
+    for (int i = 0; i < n * W * H; ++i) texel[i] = texel[i] * mistakes[m].scale + mistakes[m].shift;
+    const GLuint made = keep(h, kit_texture(W >> half, H >> half, normal ? GL_RGBA32F : GL_R32F, texel));
+    if (mistakes[m].how != MIP_LEVELS) return made;
+    glBindTexture(GL_TEXTURE_2D, made);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 9);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR);
+    return made;
+}
+
+/* Draws pass debug, and counts the pixels of each fault's colour; behind the last: of none. */
+static int diagnosed(int counts[16], host *h, const ssgi_gl_chain *chain, const ssgi_gl_frame *frame)
+{
+    static float got[4 * W * H];
+    const ssgi_gl_fault *f;
+    if (chain->desc.filter.onto) h->picture = keep(h, kit_texture(W, H, GL_RGBA32F, NULL));
+    if (!opened(h, chain)) return 0;
+    const ssgi_gl_output *const out = &h->step[h->steps - 1].output[0];
+    draw(h, frame);
+    if (!CHECK(h->steps == 1 && (chain->desc.filter.onto ? out->texture < 0 : out->result == SSGI_GL_RESULT_LIGHT),
+               "%d steps, result %d", h->steps, out->result)
+        || !TRY(kit_texture_read(out->texture < 0 ? h->picture : h->made[out->texture][0], W, H, 4, got)))
+        return 0;
+    memset(counts, 0, 16 * sizeof *counts);
+    for (int i = 0; i < W * H; ++i) {
+        int k = 0;
+        while ((f = ssgi_gl_fault_at(k)) != NULL && memcmp(f->rgb, got + 4 * i, sizeof f->rgb)) ++k;
+        ++counts[k];
+    }
+    return 1;
+}
+
+/* Sets a chain of pass debug for a G-buffer. */
+static ssgi_gl_chain debug_of(host *h, const kit_gbuffer *g, const char *set, int orthographic)
+{
+    ssgi_gl_chain chain = chain_in(set);
+    memset(h, 0, sizeof *h);
+    h->yours[SSGI_GL_YOUR_DEPTH] = g->depth;
+    h->yours[SSGI_GL_YOUR_NORMAL] = g->normal;
+    chain.desc.pass = SSGI_GL_PASS_DEBUG;
+    chain.desc.input.orthographic = orthographic;
+    chain.width = W;
+    chain.height = H;
+    chain.precise = 1;
+    return chain;
+}
+
+/* Loads a built-in scene and makes its G-buffer, with another camera. */
+static int seen_by(kit_scene *scene, kit_gbuffer *g, const char *name, int depth, int orthographic)
+{
+    if (!TRY(kit_scene_load(scene, name, 0, &err))) return 0;
+    kit_camera *const c = &scene->camera;
+    c->width = W;
+    c->height = H;
+    c->depth = depth;
+    if (orthographic) c->ortho_height = 8 * scene->radius, c->fovy = 0;
+    return TRY(kit_gbuffer_from_scene(g, scene, c, NULL, &err));
+}
+
+/* Checks that each mistake shows its fault on most of the picture. */
+static void mistakes_are_seen(void)
+{
+    char *text, start[32];
+    size_t size;
+    if (!CHECK(!kit_file_read(&text, &size, "examples/docs/INTEGRATE.md", NULL), "INTEGRATE.md cannot be read")) return;
+    for (int m = 0; m < ROWS(mistakes); ++m) {
+        const int how = mistakes[m].how;
+        kit_scene scene;
+        kit_gbuffer g;
+        host h;
+        ssgi_view view;
+        union { ssgi_gl_frame frame; char bytes[sizeof(ssgi_gl_frame)]; } block;
+        float world[16], projection[16];
+        int counts[16], at = 0, is = 0;
+        if (!seen_by(&scene, &g, "casters", mistakes[m].depth, 0)) return;
+        kit_camera_matrices(&g.camera, world, projection);
+        for (int k = 1; k < 16 && how == FLIPPED; k += 4) g.projection[k] = -g.projection[k];
+        if (!TRY(kit_view_of(&view, g.projection, g.camera.depth, W, H, &err))) return;
+        ssgi_gl_frame_init(&block.frame, &view, scene.radius, NULL);
+        block.frame.radius *= mistakes[m].radius;
+        if (how == ZEROS) memset(&block, 0, sizeof block);
+        if (how == SHIFTED) memmove(block.bytes, block.bytes + 16, sizeof block - 16);
+        const ssgi_gl_chain chain = debug_of(&h, &g, mistakes[m].set, 0);
+        h.yours[mistakes[m].meaning] = how == UNBOUND ? 0 : mistaken(&h, &g, m, world);
+        if (!diagnosed(counts, &h, &chain, &block.frame)) return;
+        for (int k = 0; ssgi_gl_fault_at(k); ++k) at = counts[k] > counts[at] ? k : at;
+        while (strcmp(ssgi_gl_fault_at(is)->name, mistakes[m].fault) != 0) ++is;
+        CHECK(2 * counts[is] > W * H, "mistake %d: %d of %d pixels show %s, %d show %s", m, counts[is], W * H,
+              mistakes[m].fault, counts[at], ssgi_gl_fault_at(at)->name);
+        snprintf(start, sizeof start, "| %s |", ssgi_gl_fault_at(is)->colour);
+        CHECK(strstr(text, start), "INTEGRATE.md does not explain %s", ssgi_gl_fault_at(is)->colour);
+        shut(&h);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
+    }
+    free(text);
+}
+
+/* Checks that right inputs show no fault, but on a few pixels. */
+static void right_is_grey(void)
+{
+    static const struct { const char *scene, *set; int depth, orthographic; } row[] = {
+        { "room", "", KIT_DEPTH_NORMAL, 0 },          { "grass", "", KIT_DEPTH_REVERSED, 0 },
+        { "colonnade", "", KIT_DEPTH_INFINITE, 0 },   { "slats", "", KIT_DEPTH_NORMAL, 1 },
+        { "pebbles", "", KIT_DEPTH_REVERSED, 1 },     { "spheres", "normal=FROM_DEPTH", KIT_DEPTH_NORMAL, 0 },
+        { "plates", "normal=FROM_DEPTH", KIT_DEPTH_REVERSED, 1 }, { "cornell", "depth=LINEAR", KIT_DEPTH_NORMAL, 0 },
+        { "casters", "depth=LINEAR", KIT_DEPTH_NORMAL, 1 }
+    };
+    int most = 0;
+    for (int i = 0; i < ROWS(row); ++i) {
+        const int linear = strstr(row[i].set, "LINEAR") != NULL;
+        kit_scene scene;
+        kit_gbuffer g, drawn_;
+        kit_image image;
+        host h;
+        ssgi_view view;
+        ssgi_gl_frame frame;
+        int counts[16], faults = 0, k = 0;
+        if (!seen_by(&scene, &g, row[i].scene, row[i].depth, row[i].orthographic)) return;
+        if (linear) {
+            drawn_ = g;
+            if (!TRY(kit_gbuffer_read(&image, &drawn_, &err))
+                || !TRY(kit_gbuffer_from_frame(&g, &image, &scene.camera, &err)))
+                return;
+            kit_image_free(&image);
+            kit_gbuffer_free(&drawn_);
+        }
+        if (!TRY(kit_view_of(&view, g.projection, g.camera.depth, W, H, &err))) return;
+        ssgi_gl_frame_init(&frame, &view, scene.radius, NULL);
+        const ssgi_gl_chain chain = debug_of(&h, &g, row[i].set, row[i].orthographic);
+        if (!diagnosed(counts, &h, &chain, &frame)) return;
+        for (; ssgi_gl_fault_at(k); ++k) faults += counts[k];
+        most = faults > most ? faults : most;
+        CHECK(20 * faults <= W * H && counts[k] + faults == W * H, "%s, %s: %d of %d pixels show a fault", row[i].scene,
+              row[i].set, faults, W * H);
+        shut(&h);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
+    }
+    t_note("at most %.1f %% of the pixels of a right picture show a fault", 100.0 * most / (W * H));
+}
+
 /* Composes visibility onto a picture of 0.5, of which 0.25 is ambient, in each way, and compares with the visibility
    that was read back. There are three strengths; 4 makes some pixels black. */
 static void onto_a_picture(void)
@@ -1031,6 +1220,8 @@ void test_steps(void)
             RUN("a method's name gives the passes that build/render draws", methods_by_name);
             RUN("names of methods are read in any spelling, or refused with those near them", names_of_methods);
             RUN("what is bound wrong is named before it is drawn", wrong_things);
+            RUN("pass debug shows each mistake in its own colour", mistakes_are_seen);
+            RUN("pass debug is grey where nothing is wrong", right_is_grey);
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
             RUN("pass thickness is drawn once, where slices read it, and costs a tap nothing", widths);
