@@ -5341,7 +5341,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    plan.size -> plan.surfel_size
 
    By hand: with SSGI_GL_SEARCH_MARCH desc.gather.directions keeps its name, and so does desc.gather.samples in pass
-   LIGHTS, where it counts the points on a segment. In JavaScript Ssgi.text is now Ssgi.shader.
+   LIGHTS, where it counts the points on a segment. In JavaScript Ssgi.text is now Ssgi.shader. ssgi_gl_step_check is
+   for any API: it takes a binding for each of step->inputs in their order, not by unit, and in ssgi_gl_bound names of
+   formats instead of GL's numbers. In GL ssgi_gl_bound_of makes a binding of the numbers that the struct had.
 
    An orthographic eye may stand anywhere. If the near plane lies behind the eye or is far away, depth inside the
    shaders begins at the near plane: frame.decode[3] is its view depth, and ssgi_decode returns your own depth, as
@@ -5367,6 +5369,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    "hsao,thickness=slabs", "ssdo" has a bounce ("ssdo,bounce=none" has not), as build/render has had it; so it is with
    "s3ho" ("s3ho,transfer=direct,packed_coefficients=0,restore=ratio"). PASS,PRESET is NAME,PRESET: "dss,best", not
    "splat,best".
+
+   New: pass debug, by the method's name "debug" or chain.desc.pass, shows what is wrong with depth, normals and the
+   block, a colour a fault: ssgi_gl_fault_at, SSGI_GL_FAULTS.
 
    New fields: gather.facets seeks occluders above the facets that depth shows, where smooth normals on coarse meshes
    or normal maps make facets darken themselves, while light and filters keep your normals. With gather.lift slices lift

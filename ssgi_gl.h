@@ -85,6 +85,7 @@
                 change_mask   finds occluders that came or went, by their depth, in tiles of 8x8 pixels
                 change_share  finds their share of the surfaces within the radius: the larger it is, the fewer frames
                               history averages
+                debug         shows what is wrong with the inputs: see ssgi_gl_fault
 
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
@@ -115,6 +116,7 @@
       >>steps      the draws of a whole chain
       >>frame      the values of each frame; extra cameras, lights, occluders
       >>library    GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
+                   >>debug
       >>rows       the table of inputs and outputs
       >>passes     the table of passes: main functions, size, primitive, blending
       and the implementations of >>desc, >>emit, >>io, >>steps, >>frame
@@ -168,6 +170,7 @@ typedef enum ssgi_gl_pass {
     SSGI_GL_PASS_THICKNESS,
     SSGI_GL_PASS_CHANGE_MASK,
     SSGI_GL_PASS_CHANGE_SHARE,
+    SSGI_GL_PASS_DEBUG,
     SSGI_GL_PASSES, /* how many */
     SSGI_GL_PASS_FORCE = SSGI_FORCE
 } ssgi_gl_pass;
@@ -688,7 +691,7 @@ typedef struct ssgi_gl_filter_desc {
                             input, which gather.resolution thins out: 1 is 3x3. Choice "filter_radius" */
     int normals;         /* blur, history, smooth   1: neighbours' normals are compared, too, by 1 more fetch each.
                             Choice "filter_normals" */
-    ssgi_gl_onto onto;   /* blur of ambient visibility, compose */
+    ssgi_gl_onto onto;   /* blur of ambient visibility, compose, debug */
 
     /* of the steps */
     ssgi_gl_quantity quantity; /* COEFFICIENTS: blur alone, since history averages the light of shade */
@@ -1067,28 +1070,86 @@ SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i);
 
 /* Fills a chain by a method's name. width and height are 0: set them.
      name   "NAME[,PRESET][,FIELD=VALUE].." in any case, with - or _: "hsao", "hsao-history,thickness=slabs",
-            "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at. PRESET: fast, balanced or best. FIELD: a name
-            of ssgi_gl_choice_at, except pass, or of ssgi_gl_chain_choice_at; with "lights." before it a field of
-            chain.lights, whose pass is LIGHTS then. VALUE: a number or a word. A field that is given overrides the
-            preset's value. The sentence on an unknown name lists similar names. A bad name leaves the chain as it is.
-            Fields may be CUSTOM: set chain->desc.shader.fetch then, which ssgi_gl_steps asks for */
+            "ssdo,best,lights.shadow=map". NAME: one of ssgi_gl_method_at, or debug (ssgi_gl_fault). PRESET: fast,
+            balanced or best. FIELD: a name of ssgi_gl_choice_at, except pass, or of ssgi_gl_chain_choice_at; with
+            "lights." before it a field of chain.lights, whose pass is LIGHTS then. VALUE: a number or a word. A field
+            that is given overrides the preset's value. The sentence on an unknown name lists similar names. A bad name
+            leaves the chain as it is. Fields may be CUSTOM: set chain->desc.shader.fetch then, which ssgi_gl_steps asks
+            for */
 SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, const char **why);
 
-/* GL's state of the texture at a unit, or of a target. */
+/* ---- faults of the inputs
+
+   If a picture is white everywhere, black or plainly wrong, draw pass debug for a look: the name "debug" instead of
+   "hsao", or chain.desc.pass = SSGI_GL_PASS_DEBUG with all else as it is. It is a chain of one step, which reads the
+   same depth, normals and block. Show .rgb of its result; with desc.filter.onto it draws over your picture.
+     grey        nothing is wrong; the farther, the darker. Background is nearly black, with some blue
+     a colour    a fault, by SSGI_GL_FAULTS. A colour all over the picture is a wrong setting or binding, one in a few
+                 places a wrong material, or just an edge
+     black       nothing was drawn. A compute stage draws nothing with a block of zeros, either
+   What it cannot tell: with reversed or linear depth a texture that reads 0 looks like one that holds nothing but
+   background, unless the driver says that it has no size (Mesa does). Without normals a wrong projection is not seen,
+   nor are rows that run the other way, since depth alone agrees with itself. A wrong angle of view may turn normals by
+   too little. World normals that count as view normals agree where the camera looks along -z. It looks at no textures
+   but depth and normals. */
+
+/* A table of the faults: name, colour, red, green, blue, sentence. A pixel shows the first that holds. The shader and
+   ssgi_gl_fault_at have it from here. */
+/* clang-format off */
+#define SSGI_GL_FAULTS(ROW) \
+    ROW(BLOCK, "magenta", 1.0, 0.0, 1.0, \
+        "the uniforms are not a ssgi_gl_frame: the block is zeros, another buffer, or bound elsewhere") \
+    ROW(SIZE, "violet", 0.4, 0.0, 1.0, \
+        "depth or normals are smaller than frame.origin + frame.size, or the viewport is larger than frame.size") \
+    ROW(RANGE, "yellow", 1.0, 1.0, 0.0, \
+        "depth is no number or out of range: view depth bound as window depth (desc.input.depth), or a negated one") \
+    ROW(ZERO, "red", 1.0, 0.0, 0.0, \
+        "depth is the near plane's to the last bit, or a normal is 0: filters are not GL_NEAREST, a compare mode is " \
+        "on, nothing is bound, or depth is reversed in one of view and texture alone") \
+    ROW(BACKGROUND, "blue", 0.0, 0.0, 1.0, \
+        "depth shows no surface anywhere: it was read before it was drawn, or (reversed, linear) the texture reads 0") \
+    ROW(ROWS, "cyan", 0.0, 1.0, 1.0, \
+        "the rows of depth run the other way than normals say: SSGI_CLIP_ROWS_DOWN, or a negated second row") \
+    ROW(NORMALS, "green", 0.0, 1.0, 0.0, \
+        "normals disagree with depth: desc.input.normal, world_normals, left_handed, frame.rotation, the projection") \
+    ROW(RADIUS, "orange", 1.0, 0.4, 0.0, \
+        "the radius is less than a pixel here, or more than the picture: units, or frame.size")
+
+/* clang-format on */
+
+/* A row of that table. */
+typedef struct ssgi_gl_fault {
+    const char *name;     /* "BLOCK" */
+    const char *colour;   /* "magenta" */
+    float rgb[3];         /* as the pass writes it */
+    const char *sentence; /* what is wrong, and where to look */
+} ssgi_gl_fault;
+
+/* Returns fault number i; NULL past the last. */
+SSGI_DEF const ssgi_gl_fault *ssgi_gl_fault_at(int i);
+
+/* A texture as it is bound, in any API. */
 typedef struct ssgi_gl_bound {
-    unsigned target; /* GL_TEXTURE_2D ..; not looked at in targets */
-    unsigned format; /* GL_TEXTURE_INTERNAL_FORMAT; 0: nothing is bound */
+    const char *format; /* its name in ssgi_gl_format ("R16F", "VK_FORMAT_R16_SFLOAT", "r16float"). Of yours any name by
+                           any API: of depth it has DEPTH, or D and the bits (D24_UNORM_S8_UINT), of integers INT, or I
+                           at its end ("R8UI"). NULL: nothing is bound */
     int width, height;
-    unsigned filter;  /* GL_TEXTURE_MIN_FILTER; not looked at in targets */
-    unsigned compare; /* GL_TEXTURE_COMPARE_MODE; not looked at in targets */
-    unsigned magnify; /* GL_TEXTURE_MAG_FILTER; not looked at if it is 0, and in targets */
+    int array, multisampled; /* as in ssgi_gl_input; not looked at in targets */
+    int filter;  /* of the texture, or of the sampler beside it. 0: nearest, or there is none; 1: linear, in whichever
+                   direction; 2: reads mip levels; not looked at in targets */
+    int compare; /* 1: compares depth; not looked at in targets */
 } ssgi_gl_bound;
 
-/* For debug builds: writes a sentence on the first fault of a draw, which names step, texture and unit. It works like
-   snprintf, and returns 0 if there is no fault.
-     units      the texture at each of 16 units; NULL: units are not checked
-     targets    the target of each of step->outputs; NULL: targets are not checked */
-SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
+/* Returns a binding of OpenGL: the texture's target (GL_TEXTURE_2D ..), its GL_TEXTURE_INTERNAL_FORMAT (0: nothing is
+   bound), size, GL_TEXTURE_MIN_FILTER, _MAG_FILTER and _COMPARE_MODE. */
+SSGI_DEF ssgi_gl_bound ssgi_gl_bound_of(unsigned target, unsigned internal, int width, int height, unsigned minify,
+                                        unsigned magnify, unsigned compare);
+
+/* For debug builds: writes a sentence on the first fault of a draw, which names step, texture, its unit (VULKAN: set
+   and binding), and what it must be. It works like snprintf, and returns 0 if there is no fault.
+     inputs     the texture that is bound for each of step->inputs; NULL: they are not checked
+     targets    the target of each of step->outputs; NULL: they are not checked */
+SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound *inputs,
                                    const ssgi_gl_bound *targets);
 
 /* ==== >>frame ================================================================================================== */
@@ -5966,6 +6027,157 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_change_share = min(share * apart * apart / max(4.0 * reach * reach, 1.0), 1.0);\n"
     "}\n" },
 
+/* ==== >>debug: faults of the inputs ============================================================================= */
+
+#define SSGI_GL__FAULT_COLOUR(name, colour, red, green, blue, sentence) \
+    { "SSGI_FAULT_" #name, NULL, __LINE__, \
+      "const vec3 SSGI_FAULT_" #name " = vec3(" #red ", " #green ", " #blue "); // " colour "\n" },
+SSGI_GL_FAULTS(SSGI_GL__FAULT_COLOUR)
+
+{ "ssgi_block_is_sound", NULL, __LINE__ + 1,
+    "bool ssgi_block_is_sound() { // whether the uniforms are a ssgi_gl_frame, and not zeros or other bytes\n"
+    "    // unproject takes back what project does, whatever the camera.\n"
+    "    vec2 off = abs(u_ssgi_project.xy * u_ssgi_unproject.xy - 1.0);\n"
+    "    bool camera = max(off.x, off.y) < 0.001 && u_ssgi_size.x > 0 && u_ssgi_size.y > 0;\n"
+    "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
+    "    camera = camera && u_ssgi_decode.y != 0.0 && (u_ssgi_decode.z == 0.0 || u_ssgi_decode.z == 1.0);\n"
+    "#endif\n"
+    "    return camera && u_ssgi_radius > 0.0 && u_ssgi_radius < SSGI_FAR;\n"
+    "}\n" },
+
+/* Some drivers say that a texture has no size if none is bound, or if its filters need levels that it has not. */
+{ "ssgi_lack", NULL, __LINE__ + 1,
+    "int ssgi_lack(ivec2 size) { // 0: a texture of this size has the whole picture; 1: a part; 2: it cannot be read\n"
+    "    ivec2 end = u_ssgi_origin + u_ssgi_size;\n"
+    "    bool whole = min(u_ssgi_origin.x, u_ssgi_origin.y) >= 0 && end.x <= size.x && end.y <= size.y;\n"
+    "    return whole ? 0 : max(size.x, size.y) > 1 ? 1 : 2;\n"
+    "}\n" },
+
+{ "ssgi_textures_lack", NULL, __LINE__ + 1,
+    "int ssgi_textures_lack() {\n"
+    "    int lack = 0;\n"
+    "#if SSGI_DEPTH != SSGI_DEPTH_CUSTOM && SSGI_MULTISAMPLED\n"
+    "    lack = ssgi_lack(textureSize(t_ssgi_depth).xy);\n"
+    "#elif SSGI_DEPTH != SSGI_DEPTH_CUSTOM\n"
+    "    lack = ssgi_lack(textureSize(t_ssgi_depth, 0).xy);\n"
+    "#endif\n"
+    "#if SSGI_NORMAL < SSGI_NORMAL_FROM_DEPTH && SSGI_MULTISAMPLED\n"
+    "    lack = max(lack, ssgi_lack(textureSize(t_ssgi_normal).xy));\n"
+    "#elif SSGI_NORMAL < SSGI_NORMAL_FROM_DEPTH\n"
+    "    lack = max(lack, ssgi_lack(textureSize(t_ssgi_normal, 0).xy));\n"
+    "#endif\n"
+    "    return lack;\n"
+    "}\n" },
+
+{ "ssgi_given_depth", NULL, __LINE__ + 1,
+    "float ssgi_given_depth(ivec2 pixel) { // returns depth as your texture holds it\n"
+    "#if SSGI_DEPTH == SSGI_DEPTH_CUSTOM\n"
+    "    return ssgi_custom_depth(pixel + u_ssgi_origin, 0);\n"
+    "#else\n"
+    "    return texelFetch(t_ssgi_depth, pixel + u_ssgi_origin, 0).x;\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_normal_is_there", NULL, __LINE__ + 1,
+    "bool ssgi_normal_is_there(ivec2 pixel) { // whether your normal is not 0, as texels are that could not be read\n"
+    "    vec3 normal = ssgi_raw_normal(pixel);\n"
+    "    bool there = dot(normal, normal) > 1e-12;\n"
+    "#if SSGI_NORMAL == SSGI_NORMAL_UNSIGNED\n"
+    "    there = there && normal != vec3(-1.0);\n"
+    "#endif\n"
+    "    return there;\n"
+    "}\n" },
+
+/* Unlike normals from depth, which take the nearer neighbour, it says where depth does not tell the normal. */
+{ "ssgi_evident_normal", NULL, __LINE__ + 1,
+    "// Returns the unit normal of the facet that depth shows around a pixel; 0 if the neighbours are of others.\n"
+    "vec3 ssgi_evident_normal(ivec2 pixel, vec3 P) {\n"
+    "    vec3 along[2];\n"
+    "    for (int axis = 0; axis < 2; ++axis) {\n"
+    "        ivec2 step_ = ivec2(1 - axis, axis);\n"
+    "        if (!ssgi_inside(pixel - step_) || !ssgi_inside(pixel + step_)) return vec3(0.0);\n"
+    "        float before = ssgi_depth(pixel - step_);\n"
+    "        float after = ssgi_depth(pixel + step_);\n"
+    "#if SSGI_ORTHOGRAPHIC\n"
+    "        vec3 even = vec3(before, -P.z, after); // grows evenly on a plane\n"
+    "#else\n"
+    "        vec3 even = 1.0 / vec3(before, -P.z, after); // grows evenly on a plane\n"
+    "#endif\n"
+    "        vec2 growth = even.yz - even.xy;\n"
+    "        float bend = abs(growth.y - growth.x);\n"
+    "        if (!(bend <= 0.5 * min(abs(growth.x), abs(growth.y)) + 0.001 * even.y)) return vec3(0.0);\n"
+    "        vec3 way = ssgi_position(vec2(pixel + step_) + 0.5, after)\n"
+    "            - ssgi_position(vec2(pixel - step_) + 0.5, before);\n"
+    "        along[axis] = way * inversesqrt(dot(way, way) + 1e-30);\n"
+    "    }\n"
+    "    vec3 normal = ssgi_unit(cross(along[0], along[1]));\n"
+    "    return dot(normal, ssgi_toward(P)) < 0.0 ? -normal : normal;\n"
+    "}\n" },
+
+{ "ssgi_survey", NULL, __LINE__ + 1,
+    "// Looks at 64 pixels all over the picture. Returns how many show a surface, at how many of these depth tells\n"
+    "// the normal, to how many of them yours is within 18 degrees, and to how many it would be with y negated.\n"
+    "vec4 ssgi_survey() {\n"
+    "    vec4 counts = vec4(0.0);\n"
+    "    for (int i = 0; i < 64; ++i) {\n"
+    "        ivec2 pixel = (2 * ivec2(i & 7, i >> 3) + 1) * u_ssgi_size / 16;\n"
+    "        float z = ssgi_depth(pixel);\n"
+    "        if (z >= SSGI_FAR) continue;\n"
+    "        counts.x += 1.0;\n"
+    "#if SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH\n"
+    "        vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "        vec3 normal = ssgi_normal(pixel, P);\n"
+    "        vec3 facet = ssgi_evident_normal(pixel, P);\n"
+    "        if (facet == vec3(0.0)) continue;\n"
+    "        counts.y += 1.0;\n"
+    "        counts.z += dot(normal, facet) > 0.95 ? 1.0 : 0.0;\n"
+    "        counts.w += dot(normal, facet * vec3(1.0, -1.0, 1.0)) > 0.95 ? 1.0 : 0.0;\n"
+    "#endif\n"
+    "    }\n"
+    "    return counts;\n"
+    "}\n" },
+
+{ "ssgi_diagnosis", NULL, __LINE__ + 1,
+    "vec3 ssgi_diagnosis(ivec2 pixel) { // returns the colour of the first fault that holds, or grey\n"
+    "    if (!ssgi_block_is_sound()) return SSGI_FAULT_BLOCK;\n"
+    "    int lack = ssgi_textures_lack();\n"
+    "    if (lack == 2) return SSGI_FAULT_ZERO;\n"
+    "    if (lack == 1 || !ssgi_inside(pixel)) return SSGI_FAULT_SIZE;\n"
+    "    float given = ssgi_given_depth(pixel);\n"
+    "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"
+    "    if (!(given >= 0.0 && given <= 1.0)) return SSGI_FAULT_RANGE;\n"
+    "    if (given == 1.0 - u_ssgi_decode.z) return SSGI_FAULT_ZERO;\n"
+    "#elif !SSGI_ORTHOGRAPHIC\n"
+    "    if (given < 0.0) return SSGI_FAULT_RANGE;\n"
+    "#endif\n"
+    "    vec4 survey = ssgi_survey();\n"
+    "    float z = ssgi_depth(pixel);\n"
+    "    if (z >= SSGI_FAR) return survey.x > 0.0 ? vec3(0.0, 0.0, 0.06) : SSGI_FAULT_BACKGROUND;\n"
+    "    vec3 P = ssgi_position(vec2(pixel) + 0.5, z);\n"
+    "    vec3 normal = ssgi_normal(pixel, P);\n"
+    "#if SSGI_NORMAL != SSGI_NORMAL_FROM_DEPTH\n"
+    "    vec3 facet = ssgi_evident_normal(pixel, P);\n"
+    "    if (!ssgi_normal_is_there(pixel)) return SSGI_FAULT_ZERO;\n"
+    "    if (survey.w > survey.z + 0.1 * survey.y) return SSGI_FAULT_ROWS;\n"
+    "    bool off = facet != vec3(0.0) && dot(normal, facet) < 0.5;\n"
+    "    if (off || survey.z < 0.5 * survey.y) return SSGI_FAULT_NORMALS;\n"
+    "#endif\n"
+    "    float reach = u_ssgi_radius / ssgi_footprint(z); // the radius in pixels\n"
+    "    if (!(reach >= 1.0 && reach <= float(max(u_ssgi_size.x, u_ssgi_size.y)))) return SSGI_FAULT_RADIUS;\n"
+    "    float facing = max(dot(normal, ssgi_toward(P)), 0.0);\n"
+    "    return vec3(0.04 + (0.1 + 0.3 * facing) / (1.0 + z / (32.0 * u_ssgi_radius)));\n"
+    "}\n" },
+
+{ "main_debug", NULL, __LINE__ + 1,
+    "void main() {\n"
+    "    vec3 colour = ssgi_diagnosis(ivec2(gl_FragCoord.xy) - u_ssgi_target);\n"
+    "#if SSGI_ONTO\n"
+    "    o_ssgi_picture = vec4(colour, 1.0);\n"
+    "#else\n"
+    "    o_ssgi_debug = vec4(colour, 1.0);\n"
+    "#endif\n"
+    "}\n" },
+
 { "main_triangle", NULL, __LINE__ + 1,
     "void main() { // one triangle that covers the viewport\n"
     "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n"
@@ -6158,6 +6370,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
                         "greatest view depth of these pixels, or of all if there are none; the least of all"),
     SSGI_GL__ROW_OUTPUT("change_share", NULL, "float",
                         "R32F or R16F: of all surfaces within the radius of 8x8 pixels, the share that came or went"),
+    SSGI_GL__ROW_OUTPUT("debug", NULL, "vec4", SSGI_GL__HDR ": colours of ssgi_gl_fault; grey where nothing is wrong"),
     SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
                         "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
     SSGI_GL__ROW_OUTPUT("interleaved", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
@@ -6246,6 +6459,7 @@ enum {
 };
 
 enum {
+    SSGI_GL__BLEND_NEVER = -1,
     SSGI_GL__BLEND_ONTO = 0, /* as desc.filter.onto says; off if the pass does not look at it */
     SSGI_GL__BLEND_MULTIPLY,
     SSGI_GL__BLEND_ADD
@@ -6336,7 +6550,9 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { SSGI_GL__PASS(CHANGE_MASK, "change_mask", NONE, NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
       { { NULL, "main_change_mask" } } },
     { SSGI_GL__PASS(CHANGE_SHARE, "change_share", NONE,   NONE,   NONE,     NONE,   TILES,  IMAGE,   ONTO,     NEW),
-      { { NULL, "main_change_share" } } }
+      { { NULL, "main_change_share" } } },
+    { SSGI_GL__PASS(DEBUG, "debug", ALONE,    NONE,   NONE,     NONE,   FULL,   IMAGE,   NEVER,    NEW),
+      { { NULL, "main_debug" } } }
 };
 
 /* clang-format on */
@@ -6409,7 +6625,7 @@ typedef struct ssgi_gl__field {
 static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__FIELD(SSGI_GL_CHOICE_YOURS, pass, pass, SSGI_GL_PASSES - 1, "must be SSGI_GL_PASS_ and one of ",
                    "SSAO HSAO SSDO S3HO LIGHTS EMITTERS SHADE AOF SURFELS INTERLEAVE DSS DEINTERLEAVE SMOOTH SUM "
-                   "BLUR HISTORY COMPOSE THICKNESS CHANGE_MASK CHANGE_SHARE", NULL),
+                   "BLUR HISTORY COMPOSE THICKNESS CHANGE_MASK CHANGE_SHARE DEBUG", NULL),
 
     SSGI_GL__SWITCH(YOURS, input, orthographic, NULL),
     SSGI_GL__SWITCH(YOURS, input, oblique, NULL),
@@ -6488,7 +6704,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__FIELD(SSGI_GL_CHOICE_YOURS, filter.normals, filter_normals, 1, "must be 0 or 1", "",
                    "filters || pass == SMOOTH"),
     SSGI_GL__ENUM(YOURS, filter, onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT",
-                  "pass == COMPOSE || (pass == BLUR && quantity == VISIBILITY)"),
+                  "pass == COMPOSE || pass == DEBUG || (pass == BLUR && quantity == VISIBILITY)"),
     SSGI_GL__ENUM(STEPS, filter, quantity, QUANTITY, COEFFICIENTS, "VISIBILITY LIGHT COEFFICIENTS",
                   "filters || pass == CHANGE_MASK"),
 
@@ -6617,7 +6833,7 @@ static const char *const ssgi_gl__refusals[][2] = {
       "bands != 2 && ((pass == S3HO && !shaded) || (pass == BLUR && quantity == COEFFICIENTS))",
       "desc.shader.compute: GLES has 4 images in a compute stage, and these coefficients are 6: "
       "desc.light.packed_coefficients 0, desc.light.bands 1 or 2, or SSGI_GL_COMPUTE_NONE" },
-    { "compute && (pass == COMPOSE || (onto && pass == BLUR && quantity == VISIBILITY))",
+    { "compute && (pass == COMPOSE || (onto && (pass == DEBUG || (pass == BLUR && quantity == VISIBILITY))))",
       "desc.shader.compute: blends nothing onto your picture (compose, desc.filter.onto): must be "
       "SSGI_GL_COMPUTE_NONE" },
     { "uniforms && dialect == VULKAN",
@@ -7771,7 +7987,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_desc *d, int precise,
     const int coefficients = last >= '0' && last <= '3'; /* o_ssgi_sh0 .., red0 ..: whole if they are packed */
     /* GLES does not blend 32-bit floats. */
     const int gles = d->shader.dialect >= SSGI_GL_DIALECT_300ES && d->shader.dialect < SSGI_GL_DIALECT_VULKAN;
-    const int blended = ssgi_gl__pass_of(d->pass)->blend != SSGI_GL__BLEND_ONTO;
+    const int blended = ssgi_gl__pass_of(d->pass)->blend > SSGI_GL__BLEND_ONTO;
     const int basic = d->shader.compute == SSGI_GL_COMPUTE_BASIC;
     int wide = precise > coefficients && !(blended && gles);
     int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
@@ -7818,8 +8034,9 @@ static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
     s->primitive = patches ? SSGI_GL__PATCHES : surfels ? SSGI_GL__POINTS : SSGI_GL__TRIANGLES;
     s->vertices = patches || surfels ? 0 : splats ? 6 * d->surfel.levels : row->draw == SSGI_GL__DRAW_FIELDS ? 6 : 3;
     s->instances = row->draw == SSGI_GL__DRAW_IMAGE || (surfels && !patches);
-    s->clear = blend != SSGI_GL__BLEND_ONTO;
+    s->clear = blend > SSGI_GL__BLEND_ONTO;
     s->clear_to = (float)(blend == SSGI_GL__BLEND_MULTIPLY); /* Factor 1 and summand 0 change nothing. */
+    if (blend == SSGI_GL__BLEND_NEVER) return;
     if (blend == SSGI_GL__BLEND_ADD || (d->filter.onto && !grey)) memcpy(s->blend, add, sizeof add);
     else if (d->filter.onto == SSGI_GL_ONTO_AMBIENT) memcpy(s->blend, subtract, sizeof subtract);
     else if (blend == SSGI_GL__BLEND_MULTIPLY || d->filter.onto) memcpy(s->blend, multiply, sizeof multiply);
@@ -8417,7 +8634,9 @@ static const ssgi_gl_method ssgi_gl__methods[] = {
       SSGI_GL_PASS_DSS, SSGI_GL_PRESET_BEST,
       "effect=SCATTER,levels=7,environment=MAP,hidden_sky=1,surfels=1,sends=LIGHTS,shadow=MAP" },
     { "aof", "Occlusion between rigid objects, from fields that ssgi_field_bake makes of each.",
-      SSGI_GL_PASS_AOF, SSGI_GL_PRESET_BALANCED, "" }
+      SSGI_GL_PASS_AOF, SSGI_GL_PRESET_BALANCED, "" },
+    /* The last row has a name, but is no method: it is not listed. */
+    { "debug", "Faults of the inputs, as colours.", SSGI_GL_PASS_DEBUG, SSGI_GL_PRESET_BALANCED, "" }
 };
 
 /* A table of families of methods: the word with which a family's names begin, other words for it, and the sentence on
@@ -8439,7 +8658,17 @@ enum { SSGI_GL__METHODS = (int)(sizeof ssgi_gl__methods / sizeof *ssgi_gl__metho
 
 SSGI_DEF const ssgi_gl_method *ssgi_gl_method_at(int i)
 {
-    return i >= 0 && i < SSGI_GL__METHODS ? &ssgi_gl__methods[i] : NULL;
+    return i >= 0 && i < SSGI_GL__METHODS - 1 ? &ssgi_gl__methods[i] : NULL;
+}
+
+SSGI_DEF const ssgi_gl_fault *ssgi_gl_fault_at(int i)
+{
+    /* clang-format off */
+#define SSGI_GL__FAULT(name, colour, red, green, blue, sentence) \
+    { #name, colour, { red##f, green##f, blue##f }, sentence },
+    static const ssgi_gl_fault faults[] = { SSGI_GL_FAULTS(SSGI_GL__FAULT) };
+    /* clang-format on */
+    return i >= 0 && i < (int)(sizeof faults / sizeof *faults) ? &faults[i] : NULL;
 }
 
 /* Returns a character of a name in lower case, and _ for -, as names are compared without regard to these. */
@@ -8602,46 +8831,93 @@ SSGI_DEF ssgi_result ssgi_gl_chain_of(ssgi_gl_chain *chain, const char *name, co
     return SSGI_OK;
 }
 
-/* Returns a sentence on a wrong texture of an input, or with `in` NULL of an output; NULL: it is right. */
-static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
-                                  int width, int height)
+/* Returns whether a name contains a word of small letters, in any case, or ends with it. */
+static int ssgi_gl__within_name(const char *name, const char *word, int at_end)
 {
-    const unsigned f = is->format;
-    const int integer = (f >= SSGI_GL__R8I && f <= SSGI_GL__RG32UI) || (f >= SSGI_GL__RGBA32UI && f <= SSGI_GL__RGB8I);
-    const int depth = f == SSGI_GL__DEPTH_COMPONENT || f == SSGI_GL__DEPTH24_STENCIL8
-                   || f == SSGI_GL__DEPTH_COMPONENT32F || f == SSGI_GL__DEPTH32F_STENCIL8
-                   || (f >= SSGI_GL__DEPTH_COMPONENT16 && f <= SSGI_GL__DEPTH_COMPONENT32);
-    const int m = in ? in->meaning : -1;
-    if (!f) return "nothing is bound";
-    if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
-    if (format && f != format->internal) return "is not of the format that the step names";
-    if (in && integer != in->integer) return "must hold integers if its sampler does, and only then";
-    if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
-    if (is->width < width || is->height < height) return "is smaller than the picture";
-    if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size, but must be smaller";
-    if (!in || in->target == SSGI_GL__TEXTURE_2D_MULTISAMPLE) return NULL; /* Samples are not filtered. */
-    if (is->filter >= SSGI_GL__NEAREST_MIPMAP_NEAREST)
-        return "must have GL_NEAREST as its minifying filter: this one reads mip levels";
-    if (is->filter == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its minifying filter";
-    if (is->magnify == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its magnifying filter";
-    return is->compare ? "must have GL_NONE as its compare mode" : NULL;
+    const size_t n = strlen(word), length = strlen(name);
+    for (size_t i = at_end && length > n ? length - n : 0; i + n <= length; ++i)
+        if (ssgi_gl__same(word, name + i, n)) return 1;
+    return 0;
 }
 
-SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
+/* Returns whether a format is of depth: by the word, or by D and a number, as in D24_UNORM_S8_UINT. */
+static int ssgi_gl__is_depth(const char *name)
+{
+    for (const char *at = name; (at = strchr(at, 'D')) != NULL; ++at)
+        if ((at == name || at[-1] == '_') && at[1] >= '1' && at[1] <= '3') return 1;
+    return ssgi_gl__within_name(name, "depth", 0);
+}
+
+SSGI_DEF ssgi_gl_bound ssgi_gl_bound_of(unsigned target, unsigned internal, int width, int height, unsigned minify,
+                                        unsigned magnify, unsigned compare)
+{
+    const ssgi_gl_format *const known = &ssgi_gl__formats[0][0];
+    const unsigned f = internal;
+    ssgi_gl_bound b = { NULL, width, height, 0, 0, 0, compare != 0 };
+    b.array = target != SSGI_GL__TEXTURE_2D && target != SSGI_GL__TEXTURE_2D_MULTISAMPLE;
+    b.multisampled = target == SSGI_GL__TEXTURE_2D_MULTISAMPLE;
+    b.filter = minify >= SSGI_GL__NEAREST_MIPMAP_NEAREST ? 2 : minify == SSGI_GL__LINEAR || magnify == SSGI_GL__LINEAR;
+    if (!f) return b;
+    b.format = "FLOAT";
+    if ((f >= SSGI_GL__R8I && f <= SSGI_GL__RG32UI) || (f >= SSGI_GL__RGBA32UI && f <= SSGI_GL__RGB8I))
+        b.format = "INT";
+    if (f == SSGI_GL__DEPTH_COMPONENT || f == SSGI_GL__DEPTH24_STENCIL8 || f == SSGI_GL__DEPTH_COMPONENT32F
+        || f == SSGI_GL__DEPTH32F_STENCIL8 || (f >= SSGI_GL__DEPTH_COMPONENT16 && f <= SSGI_GL__DEPTH_COMPONENT32))
+        b.format = "DEPTH";
+    for (size_t i = 0; i < sizeof ssgi_gl__formats / sizeof **ssgi_gl__formats; ++i)
+        if (known[i].internal == f) b.format = known[i].name;
+    for (int i = 0; i < 2; ++i)
+        if (ssgi_gl__bytes[i].internal == f) b.format = ssgi_gl__bytes[i].name;
+    return b;
+}
+
+/* Writes a sentence on a wrong texture of an input, or with `in` NULL of an output; nothing if it is right. */
+static void ssgi_gl__wrong(ssgi_gl__text *t, const ssgi_gl_bound *is, const ssgi_gl_input *in,
+                           const ssgi_gl_format *format, int width, int height)
+{
+    const char *const f = is->format;
+    const int m = in ? in->meaning : -1, depth = f && ssgi_gl__is_depth(f);
+    const int integer = f && !depth && (ssgi_gl__within_name(f, "int", 0) || ssgi_gl__within_name(f, "i", 1));
+    if (!f) ssgi_gl__print(t, "nothing is bound");
+    else if (in && (in->array != (is->array != 0) || in->multisampled != (is->multisampled != 0)))
+        ssgi_gl__print(t, "must be of the kind that %s reads", in->type);
+    else if (format && strcmp(f, format->name) && strcmp(f, format->vulkan_name) && strcmp(f, format->webgpu))
+        ssgi_gl__print(t, "must be %s (%s, %s), not %s", format->name, format->vulkan_name, format->webgpu, f);
+    else if (in && integer != in->integer)
+        ssgi_gl__print(t, in->integer ? "must hold integers, not %s" : "must not hold integers: %s", f);
+    else if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW)
+        ssgi_gl__print(t, "must not hold depth: %s", f);
+    else if (is->width < width || is->height < height)
+        ssgi_gl__print(t, "is smaller than the picture: %dx%d, not %dx%d", is->width, is->height, width, height);
+    else if (in && format && width > 1 && is->width >= 2 * width - 1)
+        ssgi_gl__print(t, "is of full size: %dx%d, not %dx%d", is->width, is->height, width, height);
+    else if (!in || in->multisampled) return; /* Samples are not filtered. */
+    else if (is->filter == 2)
+        ssgi_gl__print(t, "must be read by nearest filters (GL_NEAREST): this one reads mip levels");
+    else if (is->filter && (depth || integer))
+        ssgi_gl__print(t, "must be read by nearest filters (GL_NEAREST), as it holds depth or integers");
+    else if (is->compare) ssgi_gl__print(t, "must not compare depth: GL_NONE, no comparison sampler");
+}
+
+SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound *inputs,
                                    const ssgi_gl_bound *targets)
 {
+    char what[200];
     ssgi_gl__text t = { out, capacity, 0, 0 };
-    for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
-        const ssgi_gl_input *in = &step->input[i];
-        const int any = in->last; /* A texture of the last frame has that frame's size. */
-        const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, any ? 0 : in->width, any ? 0 : in->height);
-        if (wrong)
-            ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit, wrong);
-    }
-    for (int i = 0; step && targets && i < step->outputs && !t.length; ++i) {
-        const ssgi_gl_output *o = &step->output[i];
-        const char *wrong = ssgi_gl__wrong(&targets[i], NULL, o->format, step->width, step->height);
-        if (wrong) ssgi_gl__print(&t, "%s: %s: %s", ssgi_gl_pass_name(step->desc.pass), o->name, wrong);
+    const int ins = step && inputs ? step->inputs : 0, outs = step && targets ? step->outputs : 0;
+    for (int i = 0; i < ins + outs && !t.length; ++i) {
+        const ssgi_gl_input *const in = i < ins ? &step->input[i] : NULL;
+        const ssgi_gl_output *const o = in ? NULL : &step->output[i - ins];
+        ssgi_gl__text fault = { what, sizeof what, 0, 0 };
+        /* A texture of the last frame has that frame's size. */
+        if (in) ssgi_gl__wrong(&fault, &inputs[i], in, in->format, in->last ? 0 : in->width, in->last ? 0 : in->height);
+        else ssgi_gl__wrong(&fault, &targets[i - ins], NULL, o->format, step->width, step->height);
+        if (!ssgi_gl__end(&fault)) continue;
+        ssgi_gl__print(&t, "%s: %s", ssgi_gl_pass_name(step->desc.pass), in ? in->name : o->name);
+        if (in && step->desc.shader.dialect == SSGI_GL_DIALECT_VULKAN)
+            ssgi_gl__print(&t, ", set %d, binding %d", in->set, in->binding);
+        else if (in) ssgi_gl__print(&t, ", unit %d", in->unit);
+        ssgi_gl__print(&t, ": %s", what);
     }
     return ssgi_gl__end(&t);
 }

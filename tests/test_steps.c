@@ -69,20 +69,17 @@ static GLuint read_by(const host *h, const ssgi_gl_input *in)
     return !made ? h->yours[in->meaning] : in->last && made[1] ? made[1] : made[0];
 }
 
-/* Returns a binding as GL has it: a texture and its target. */
+/* Returns the binding of a texture. */
 static ssgi_gl_bound bound(GLuint texture, GLenum target)
 {
-    ssgi_gl_bound b = { target, 0, 0, 0, GL_NEAREST, 0, GL_NEAREST };
     GLint value[3] = { 0 };
-    if (!texture || !glGetTexLevelParameteriv) return b;
-    glBindTexture(target, texture);
-    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_INTERNAL_FORMAT, &value[0]);
-    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &value[1]);
-    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_HEIGHT, &value[2]);
-    b.format = (unsigned)value[0];
-    b.width = value[1];
-    b.height = value[2];
-    return b;
+    if (texture && glGetTexLevelParameteriv) {
+        glBindTexture(target, texture);
+        glGetTexLevelParameteriv(target, 0, GL_TEXTURE_INTERNAL_FORMAT, &value[0]);
+        glGetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &value[1]);
+        glGetTexLevelParameteriv(target, 0, GL_TEXTURE_HEIGHT, &value[2]);
+    }
+    return ssgi_gl_bound_of(target, (GLenum)value[0], value[1], value[2], GL_NEAREST, GL_NEAREST, GL_NONE);
 }
 
 static void draw_step(host *h, const ssgi_gl_frame *frame, int i)
@@ -174,15 +171,15 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
 static void nothing_wrong(const host *h, const char *of)
 {
     for (int i = 0; i < h->steps; ++i) {
-        ssgi_gl_bound units[16], targets[6];
+        ssgi_gl_bound inputs[16], targets[6];
         char why[256];
         for (int k = 0; k < h->step[i].inputs; ++k)
-            units[h->step[i].input[k].unit] = bound(read_by(h, &h->step[i].input[k]), h->step[i].input[k].target);
+            inputs[k] = bound(read_by(h, &h->step[i].input[k]), h->step[i].input[k].target);
         for (int k = 0; k < h->step[i].outputs; ++k) {
             const ssgi_gl_output *o = &h->step[i].output[k];
             targets[k] = bound(h->made[o->texture][0], o->layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
         }
-        CHECK(!glGetTexLevelParameteriv || !ssgi_gl_step_check(why, sizeof why, &h->step[i], units, targets), "%s: %s",
+        CHECK(!glGetTexLevelParameteriv || !ssgi_gl_step_check(why, sizeof why, &h->step[i], inputs, targets), "%s: %s",
               of, why);
     }
 }
@@ -361,49 +358,307 @@ static void names_of_methods(void)
     CHECK(ssgi_gl_steps(NULL, 0, &own, &why) > 0, "%s", why);
 }
 
-/* Makes one mistake at a time; the sentence must name its step, texture and unit. */
+/* Returns the value of a field in words: a number, or one of its words. */
+static int value_in(const ssgi_gl_choice *c, const char *text, size_t length)
+{
+    int value = 0;
+    for (const char *word = c->values; *word; ++value, word += strcspn(word, " "), word += *word == ' ')
+        if (strcspn(word, " ") == length && !strncmp(word, text, length)) return value;
+    return atoi(text);
+}
+
+/* Returns a chain in words: "pass=HSAO,blur=1" sets fields of desc and of the chain. After the word lights, which adds
+   pass lights, fields are those of lights. */
+static ssgi_gl_chain chain_in(const char *words)
+{
+    ssgi_gl_chain chain;
+    const ssgi_gl_choice *c;
+    char *desc = (char *)&chain.desc;
+    memset(&chain, 0, sizeof chain);
+    chain.width = chain.height = 8;
+    for (size_t n; *words; words += n, words += *words == ',') {
+        const size_t name = strcspn(words, ",=");
+        int set = 0;
+        n = strcspn(words, ",");
+        if (name == n) {
+            chain.lights.pass = SSGI_GL_PASS_LIGHTS;
+            desc = (char *)&chain.lights;
+            continue;
+        }
+        for (int k = 0; k < 2 && !set; ++k)
+            for (int i = 0; (c = k ? ssgi_gl_chain_choice_at(i) : ssgi_gl_choice_at(i)) != NULL; ++i) {
+                if (strlen(c->name) != name || strncmp(c->name, words, name)) continue;
+                const int value = value_in(c, words + name + 1, n - name - 1);
+                memcpy((k ? (char *)&chain : desc) + c->offset, &value, sizeof value);
+                set = 1;
+            }
+        CHECK(set, "there is no field %s", words);
+    }
+    return chain;
+}
+
+/* Binds one texture of pass blur wrongly, or in another API's words; the sentence must name step, texture, place and
+   what it must be. */
 static void wrong_things(void)
 {
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_run run;
-    host h;
-    ssgi_gl_chain chain;
-    char why[256];
-    int ao = 0, depth = 0;
-    if (!see(&scene, &g, "casters", NULL, 0, NULL, W, H) || !ready(&run, &h, &chain, 1, &scene, &g, NULL)) return;
-    const ssgi_gl_step *blur = &h.step[h.steps - 1];
-    for (int k = 0; k < blur->inputs; ++k) {
-        if (!strcmp(blur->input[k].name, "t_ssgi_ao")) ao = blur->input[k].unit;
-        if (!strcmp(blur->input[k].name, "t_ssgi_depth")) depth = blur->input[k].unit;
+    const struct { const char *of, *says; ssgi_gl_bound is; } gl[] = {
+        { "", "", { 0 } },
+        { "t_ssgi_ao", "blur: t_ssgi_ao, unit 9: nothing is bound", { NULL, W / 2, H / 2, 0, 0, 0, 0 } },
+        { "t_ssgi_ao", "unit 9: is of full size: 120x68, not 60x34", { "RG32F", W, H, 0, 0, 0, 0 } },
+        { "t_ssgi_ao", "unit 9: must be RG32F (VK_FORMAT_R32G32_SFLOAT, rg32float), not RG16F",
+          ssgi_gl_bound_of(GL_TEXTURE_2D, GL_RG16F, W / 2, H / 2, GL_NEAREST, GL_NEAREST, GL_NONE) },
+        { "t_ssgi_ao", "unit 9: must be of the kind that sampler2D reads",
+          ssgi_gl_bound_of(GL_TEXTURE_2D_ARRAY, GL_RG32F, W / 2, H / 2, GL_NEAREST, GL_NEAREST, GL_NONE) },
+        { "t_ssgi_depth", "unit 0: is smaller than the picture: 60x68, not 120x68", { "DEPTH", W / 2, H, 0, 0, 0, 0 } },
+        { "t_ssgi_depth", "unit 0: must be of the kind", { "DEPTH", W, H, 0, 1, 0, 0 } },
+        { "t_ssgi_depth", "unit 0: must be read by nearest filters (GL_NEAREST): this one reads mip levels",
+          ssgi_gl_bound_of(GL_TEXTURE_2D, GL_R32F, W, H, GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR, GL_NONE) },
+        { "t_ssgi_depth", "unit 0: must be read by nearest filters (GL_NEAREST), as",
+          ssgi_gl_bound_of(GL_TEXTURE_2D, GL_DEPTH_COMPONENT24, W, H, GL_NEAREST, GL_LINEAR, GL_NONE) },
+        { "t_ssgi_depth", "unit 0: must be read by nearest filters (GL_NEAREST), as",
+          ssgi_gl_bound_of(GL_TEXTURE_2D, GL_DEPTH32F_STENCIL8, W, H, GL_LINEAR, GL_NEAREST, GL_NONE) },
+        { "t_ssgi_depth", "unit 0: must not compare",
+          ssgi_gl_bound_of(GL_TEXTURE_2D, GL_DEPTH_COMPONENT, W, H, GL_NEAREST, GL_NEAREST,
+                           GL_COMPARE_REF_TO_TEXTURE) },
+        { "t_ssgi_depth", "", ssgi_gl_bound_of(GL_TEXTURE_2D, GL_R16, W, H, GL_LINEAR, GL_LINEAR, GL_NONE) },
+        { "t_ssgi_normal", "unit 1: must not hold integers: INT",
+          ssgi_gl_bound_of(GL_TEXTURE_2D, GL_RGBA8UI, W, H, GL_NEAREST, GL_NEAREST, GL_NONE) },
+        { "t_ssgi_normal", "unit 1: must not hold depth: DEPTH",
+          ssgi_gl_bound_of(GL_TEXTURE_2D, GL_DEPTH_COMPONENT16, W, H, GL_NEAREST, GL_NEAREST, GL_NONE) },
+        { "o_ssgi_ao", "blur: o_ssgi_ao: must be R32F (VK_FORMAT_R32_SFLOAT, r32float), not RGBA8",
+          ssgi_gl_bound_of(GL_TEXTURE_2D, GL_RGBA8, W, H, GL_NEAREST, GL_NEAREST, GL_NONE) },
+        { "o_ssgi_ao", "blur: o_ssgi_ao: is smaller", { "R32F", W, H - 1, 0, 0, 0, 0 } }
+    }, vulkan[] = {
+        { "", "", { 0 } },
+        { "t_ssgi_ao", "", { "VK_FORMAT_R32G32_SFLOAT", W / 2, H / 2, 0, 0, 1, 0 } },
+        { "t_ssgi_ao", "", { "rg32float", W / 2, H / 2, 0, 0, 0, 0 } },
+        { "t_ssgi_ao", "blur: t_ssgi_ao, set 2, binding 2: must be RG32F (", { "rg16float", W, H, 0, 0, 0, 0 } },
+        { "t_ssgi_ao", "set 2, binding 2: must be of the kind that texture2D", { "rg32float", W, H, 1, 0, 0, 0 } },
+        { "t_ssgi_depth", "", { "VK_FORMAT_D24_UNORM_S8_UINT", W, H, 0, 0, 0, 0 } },
+        { "t_ssgi_depth", "", { "depth24plus-stencil8", W, H, 0, 0, 0, 0 } },
+        { "t_ssgi_depth", "", { "DXGI_FORMAT_R32_FLOAT", W, H, 0, 0, 1, 0 } },
+        { "t_ssgi_depth", "set 2, binding 0: must be read by nearest",
+          { "SDL_GPU_TEXTUREFORMAT_D16_UNORM", W, H, 0, 0, 1, 0 } },
+        { "t_ssgi_depth", "set 2, binding 0: must not compare", { "MTLPixelFormatDepth32Float", W, H, 0, 0, 0, 1 } },
+        { "t_ssgi_depth", "must not hold integers: r32uint", { "r32uint", W, H, 0, 0, 0, 0 } },
+        { "t_ssgi_depth", "must not hold integers: R16I", { "R16I", W, H, 0, 0, 0, 0 } },
+        { "t_ssgi_normal", "set 2, binding 1: must not hold depth", { "DXGI_FORMAT_D32_FLOAT", W, H, 0, 0, 0, 0 } },
+        { "o_ssgi_ao", "blur: o_ssgi_ao: must be R32F (", { "VK_FORMAT_R8_UNORM", W, H, 0, 0, 0, 0 } }
+    };
+    for (int api = 0; api < 2; ++api)
+        for (int i = 0; i < (api ? ROWS(vulkan) : ROWS(gl)); ++i) {
+            ssgi_gl_step step[STEPS];
+            ssgi_gl_chain chain = chain_in("pass=HSAO,resolution=HALF,blur=1,filter_normals=1,precise=1");
+            ssgi_gl_bound inputs[16], target = { "R32F", W, H, 0, 0, 0, 0 };
+            const ssgi_gl_bound is = api ? vulkan[i].is : gl[i].is;
+            const char *const of = api ? vulkan[i].of : gl[i].of, *const says = api ? vulkan[i].says : gl[i].says;
+            char why[256];
+            chain.width = W;
+            chain.height = H;
+            chain.desc.shader.dialect = api ? SSGI_GL_DIALECT_VULKAN : SSGI_GL_DIALECT_330;
+            chain.desc.shader.texture_set = 2 * api;
+            chain.desc.shader.dense = api;
+            const ssgi_gl_step *const blur = &step[ssgi_gl_steps(step, STEPS, &chain, NULL) - 1];
+            for (int k = 0; k < blur->inputs; ++k) {
+                const ssgi_gl_input *const in = &blur->input[k];
+                const char *const format = in->format ? in->format->name : "FLOAT";
+                const ssgi_gl_bound right = { format, in->width, in->height, 0, 0, 0, 0 };
+                inputs[k] = strcmp(in->name, of) ? right : is;
+            }
+            if (!strcmp(of, "o_ssgi_ao")) target = is;
+            const size_t n = ssgi_gl_step_check(why, sizeof why, blur, inputs, &target);
+            CHECK(n == strlen(why) && (*says ? strstr(why, says) != NULL : !n), "%s %d: \"%s\" (expected \"%s\")",
+                  api ? "Vulkan" : "GL", i, why, says);
+        }
+}
+
+/* ---- pass debug */
+
+enum { AS_IT_IS, ZEROS, SHIFTED, FLIPPED, WORLD, HALF, MIP_LEVELS, UNBOUND };
+/* A mistake, and the fault that most of the picture then shows. how: what is wrong with the block, or with the texture
+   of this meaning, whose texels are multiplied and shifted. radius: a factor. depth: KIT_DEPTH_.. */
+static const struct { const char *fault, *set; int how, meaning; float scale, shift, radius; int depth; } mistakes[] = {
+    { "BLOCK", "", ZEROS, 0, 1, 0, 1, 0 },
+    { "BLOCK", "", SHIFTED, 0, 1, 0, 1, 0 },
+    { "BLOCK", "", AS_IT_IS, 0, 1, 0, 0, 0 },
+    { "SIZE", "", HALF, SSGI_GL_YOUR_DEPTH, 1, 0, 1, 0 },
+    { "SIZE", "", HALF, SSGI_GL_YOUR_NORMAL, 1, 0, 1, 0 },
+    { "ZERO", "", UNBOUND, SSGI_GL_YOUR_DEPTH, 1, 0, 1, 0 },
+    { "RANGE", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 10, 0, 1, 0 },
+    { "RANGE", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, NAN, 0, 1, 0 },
+    { "RANGE", "depth=LINEAR", AS_IT_IS, SSGI_GL_YOUR_DEPTH, -10, 0, 1, 0 },
+    { "ZERO", "", MIP_LEVELS, SSGI_GL_YOUR_DEPTH, 1, 0, 1, 0 },
+    { "ZERO", "", MIP_LEVELS, SSGI_GL_YOUR_NORMAL, 1, 0, 1, 0 },
+    { "ZERO", "normal=UNSIGNED", MIP_LEVELS, SSGI_GL_YOUR_NORMAL, 1, 0, 1, 0 },
+    { "ZERO", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 0, 1, 0 },
+    { "ZERO", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 1, 1, KIT_DEPTH_REVERSED },
+    { "ZERO", "normal=UNSIGNED", AS_IT_IS, SSGI_GL_YOUR_NORMAL, 0, 0, 1, 0 },
+    { "BACKGROUND", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 1, 1, 0 },
+    { "BACKGROUND", "", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 0, 1, KIT_DEPTH_INFINITE },
+    { "BACKGROUND", "depth=LINEAR", AS_IT_IS, SSGI_GL_YOUR_DEPTH, 0, 0, 1, 0 },
+    { "ROWS", "", FLIPPED, 0, 1, 0, 1, 0 },
+    { "ROWS", "onto=MULTIPLY", FLIPPED, 0, 1, 0, 1, KIT_DEPTH_REVERSED },
+    { "NORMALS", "", WORLD, SSGI_GL_YOUR_NORMAL, 1, 0, 1, 0 },
+    { "NORMALS", "", AS_IT_IS, SSGI_GL_YOUR_NORMAL, -1, 0, 1, 0 },
+    { "NORMALS", "", AS_IT_IS, SSGI_GL_YOUR_NORMAL, 0.5f, 0.5f, 1, 0 },
+    { "NORMALS", "normal=UNSIGNED", AS_IT_IS, 0, 1, 0, 1, 0 },
+    { "NORMALS", "normal=OCTAHEDRAL", AS_IT_IS, 0, 1, 0, 1, 0 },
+    { "NORMALS", "left_handed=1", AS_IT_IS, 0, 1, 0, 1, 0 },
+    { "NORMALS", "depth=LINEAR", AS_IT_IS, 0, 1, 0, 1, 0 },
+    { "RADIUS", "", AS_IT_IS, 0, 1, 0, 1e-3f, 0 },
+    { "RADIUS", "normal=FROM_DEPTH", AS_IT_IS, 0, 1, 0, 1e3f, 0 }
+};
+
+/* Makes a texture of the G-buffer anew, with the mistake. world: the camera's matrix */
+static GLuint mistaken(host *h, const kit_gbuffer *g, int m, const float world[16])
+{
+    static float texel[4 * W * H];
+    const int normal = mistakes[m].meaning == SSGI_GL_YOUR_NORMAL, n = normal ? 4 : 1, half = mistakes[m].how == HALF;
+    if (!TRY(kit_texture_read(normal ? g->normal : g->depth, W, H, n, texel))) return 0;
+    for (int i = 0; i < W * H && mistakes[m].how == WORLD; ++i) { /* by the transpose of the camera's rotation */
+        const float was[3] = { texel[4 * i], texel[4 * i + 1], texel[4 * i + 2] };
+        for (int k = 0; k < 3; ++k)
+            texel[4 * i + k] = world[4 * k] * was[0] + world[4 * k + 1] * was[1] + world[4 * k + 2] * was[2];
     }
-    for (int wrong = 0; wrong < 9; ++wrong) {
-        static const char *const says[] = { "", "blur: t_ssgi_depth, unit 0: is not", "t_ssgi_ao, unit 9: nothing",
-                                            "t_ssgi_ao, unit 9: is of full size", "unit 0: is smaller", "mip levels",
-                                            "integers", "o_ssgi_ao: is not of the format",
-                                            "unit 0: must have GL_NEAREST as its magnifying" };
-        ssgi_gl_bound u[16], target = { GL_TEXTURE_2D, GL_R32F, W, H, GL_NEAREST, 0, GL_NEAREST }, was;
-        for (int k = 0; k < blur->inputs; ++k)
-            u[blur->input[k].unit] = bound(read_by(&h, &blur->input[k]), blur->input[k].target);
-        was = u[depth];
-        if (wrong == 1) { u[depth] = u[ao]; u[ao] = was; }
-        if (wrong == 2) u[ao].format = 0;
-        if (wrong == 3) { u[ao].width = W; u[ao].height = H; }
-        if (wrong == 4) u[depth].width = W / 2;
-        if (wrong == 5) u[depth].filter = GL_NEAREST_MIPMAP_LINEAR;
-        if (wrong == 6) u[1].format = GL_RGBA32UI;
-        if (wrong == 7) target.format = GL_RGBA8;
-        if (wrong == 8) u[depth].magnify = GL_LINEAR;
-        const size_t n = ssgi_gl_step_check(why, sizeof why, blur, u, &target);
-        /* exchanged units: one texture is too small or of a wrong format, and so is the other */
-        CHECK(wrong == 1 ? n && strstr(why, "blur: t_ssgi_")
-                         : wrong ? n == strlen(why) && strstr(why, says[wrong]) != NULL : !n && !*why,
-              "%d: \"%s\" (expected %s)", wrong, why, says[wrong]);
+    for (int i = 0; i < n * W * H; ++i) texel[i] = texel[i] * mistakes[m].scale + mistakes[m].shift;
+    const GLuint made = keep(h, kit_texture(W >> half, H >> half, normal ? GL_RGBA32F : GL_R32F, texel));
+    if (mistakes[m].how != MIP_LEVELS) return made;
+    glBindTexture(GL_TEXTURE_2D, made);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 9);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR);
+    return made;
+}
+
+/* Draws pass debug, and counts the pixels of each fault's colour; behind the last: of none. */
+static int diagnosed(int counts[16], host *h, const ssgi_gl_chain *chain, const ssgi_gl_frame *frame)
+{
+    static float got[4 * W * H];
+    const ssgi_gl_fault *f;
+    if (chain->desc.filter.onto) h->picture = keep(h, kit_texture(W, H, GL_RGBA32F, NULL));
+    if (!opened(h, chain)) return 0;
+    const ssgi_gl_output *const out = &h->step[h->steps - 1].output[0];
+    draw(h, frame);
+    if (!CHECK(h->steps == 1 && (chain->desc.filter.onto ? out->texture < 0 : out->result == SSGI_GL_RESULT_LIGHT),
+               "%d steps, result %d", h->steps, out->result)
+        || !TRY(kit_texture_read(out->texture < 0 ? h->picture : h->made[out->texture][0], W, H, 4, got)))
+        return 0;
+    memset(counts, 0, 16 * sizeof *counts);
+    for (int i = 0; i < W * H; ++i) {
+        int k = 0;
+        while ((f = ssgi_gl_fault_at(k)) != NULL && memcmp(f->rgb, got + 4 * i, sizeof f->rgb)) ++k;
+        ++counts[k];
     }
-    shut(&h);
-    kit_run_close(&run);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
+    return 1;
+}
+
+/* Sets a chain of pass debug for a G-buffer. */
+static ssgi_gl_chain debug_of(host *h, const kit_gbuffer *g, const char *set, int orthographic)
+{
+    ssgi_gl_chain chain = chain_in(set);
+    memset(h, 0, sizeof *h);
+    h->yours[SSGI_GL_YOUR_DEPTH] = g->depth;
+    h->yours[SSGI_GL_YOUR_NORMAL] = g->normal;
+    chain.desc.pass = SSGI_GL_PASS_DEBUG;
+    chain.desc.input.orthographic = orthographic;
+    chain.width = W;
+    chain.height = H;
+    chain.precise = 1;
+    return chain;
+}
+
+/* Loads a built-in scene and makes its G-buffer, with another camera. */
+static int seen_by(kit_scene *scene, kit_gbuffer *g, const char *name, int depth, int orthographic)
+{
+    if (!TRY(kit_scene_load(scene, name, 0, &err))) return 0;
+    kit_camera *const c = &scene->camera;
+    c->width = W;
+    c->height = H;
+    c->depth = depth;
+    if (orthographic) c->ortho_height = 8 * scene->radius, c->fovy = 0;
+    return TRY(kit_gbuffer_from_scene(g, scene, c, NULL, &err));
+}
+
+/* Checks that each mistake shows its fault on most of the picture. */
+static void mistakes_are_seen(void)
+{
+    char *text, start[32];
+    size_t size;
+    if (!CHECK(!kit_file_read(&text, &size, "examples/docs/INTEGRATE.md", NULL), "INTEGRATE.md cannot be read")) return;
+    for (int m = 0; m < ROWS(mistakes); ++m) {
+        const int how = mistakes[m].how;
+        kit_scene scene;
+        kit_gbuffer g;
+        host h;
+        ssgi_view view;
+        union { ssgi_gl_frame frame; char bytes[sizeof(ssgi_gl_frame)]; } block;
+        float world[16], projection[16];
+        int counts[16], at = 0, is = 0;
+        if (!seen_by(&scene, &g, "casters", mistakes[m].depth, 0)) return;
+        kit_camera_matrices(&g.camera, world, projection);
+        for (int k = 1; k < 16 && how == FLIPPED; k += 4) g.projection[k] = -g.projection[k];
+        if (!TRY(kit_view_of(&view, g.projection, g.camera.depth, W, H, &err))) return;
+        ssgi_gl_frame_init(&block.frame, &view, scene.radius, NULL);
+        block.frame.radius *= mistakes[m].radius;
+        if (how == ZEROS) memset(&block, 0, sizeof block);
+        if (how == SHIFTED) memmove(block.bytes, block.bytes + 16, sizeof block - 16);
+        const ssgi_gl_chain chain = debug_of(&h, &g, mistakes[m].set, 0);
+        h.yours[mistakes[m].meaning] = how == UNBOUND ? 0 : mistaken(&h, &g, m, world);
+        if (!diagnosed(counts, &h, &chain, &block.frame)) return;
+        for (int k = 0; ssgi_gl_fault_at(k); ++k) at = counts[k] > counts[at] ? k : at;
+        while (strcmp(ssgi_gl_fault_at(is)->name, mistakes[m].fault) != 0) ++is;
+        CHECK(2 * counts[is] > W * H, "mistake %d: %d of %d pixels show %s, %d show %s", m, counts[is], W * H,
+              mistakes[m].fault, counts[at], ssgi_gl_fault_at(at)->name);
+        snprintf(start, sizeof start, "| %s |", ssgi_gl_fault_at(is)->colour);
+        CHECK(strstr(text, start), "INTEGRATE.md does not explain %s", ssgi_gl_fault_at(is)->colour);
+        shut(&h);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
+    }
+    free(text);
+}
+
+/* Checks that right inputs show no fault, but on a few pixels. */
+static void right_is_grey(void)
+{
+    static const struct { const char *scene, *set; int depth, orthographic; } row[] = {
+        { "room", "", KIT_DEPTH_NORMAL, 0 },          { "grass", "", KIT_DEPTH_REVERSED, 0 },
+        { "colonnade", "", KIT_DEPTH_INFINITE, 0 },   { "slats", "", KIT_DEPTH_NORMAL, 1 },
+        { "pebbles", "", KIT_DEPTH_REVERSED, 1 },     { "spheres", "normal=FROM_DEPTH", KIT_DEPTH_NORMAL, 0 },
+        { "plates", "normal=FROM_DEPTH", KIT_DEPTH_REVERSED, 1 }, { "cornell", "depth=LINEAR", KIT_DEPTH_NORMAL, 0 },
+        { "casters", "depth=LINEAR", KIT_DEPTH_NORMAL, 1 }
+    };
+    int most = 0;
+    for (int i = 0; i < ROWS(row); ++i) {
+        const int linear = strstr(row[i].set, "LINEAR") != NULL;
+        kit_scene scene;
+        kit_gbuffer g, drawn_;
+        kit_image image;
+        host h;
+        ssgi_view view;
+        ssgi_gl_frame frame;
+        int counts[16], faults = 0, k = 0;
+        if (!seen_by(&scene, &g, row[i].scene, row[i].depth, row[i].orthographic)) return;
+        if (linear) {
+            drawn_ = g;
+            if (!TRY(kit_gbuffer_read(&image, &drawn_, &err))
+                || !TRY(kit_gbuffer_from_frame(&g, &image, &scene.camera, &err)))
+                return;
+            kit_image_free(&image);
+            kit_gbuffer_free(&drawn_);
+        }
+        if (!TRY(kit_view_of(&view, g.projection, g.camera.depth, W, H, &err))) return;
+        ssgi_gl_frame_init(&frame, &view, scene.radius, NULL);
+        const ssgi_gl_chain chain = debug_of(&h, &g, row[i].set, row[i].orthographic);
+        if (!diagnosed(counts, &h, &chain, &frame)) return;
+        for (; ssgi_gl_fault_at(k); ++k) faults += counts[k];
+        most = faults > most ? faults : most;
+        CHECK(20 * faults <= W * H && counts[k] + faults == W * H, "%s, %s: %d of %d pixels show a fault", row[i].scene,
+              row[i].set, faults, W * H);
+        shut(&h);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
+    }
+    t_note("at most %.1f %% of the pixels of a right picture show a fault", 100.0 * most / (W * H));
 }
 
 /* Composes visibility onto a picture of 0.5, of which 0.25 is ambient, in each way, and compares with the visibility
@@ -458,45 +713,6 @@ static void onto_a_picture(void)
     kit_run_close(&run);
     kit_gbuffer_free(&g);
     kit_scene_free(&scene);
-}
-
-/* Returns the value of a field in words: a number, or one of its words. */
-static int value_in(const ssgi_gl_choice *c, const char *text, size_t length)
-{
-    int value = 0;
-    for (const char *word = c->values; *word; ++value, word += strcspn(word, " "), word += *word == ' ')
-        if (strcspn(word, " ") == length && !strncmp(word, text, length)) return value;
-    return atoi(text);
-}
-
-/* Returns a chain in words: "pass=HSAO,blur=1" sets fields of desc and of the chain. After the word lights, which adds
-   pass lights, fields are those of lights. */
-static ssgi_gl_chain chain_in(const char *words)
-{
-    ssgi_gl_chain chain;
-    const ssgi_gl_choice *c;
-    char *desc = (char *)&chain.desc;
-    memset(&chain, 0, sizeof chain);
-    chain.width = chain.height = 8;
-    for (size_t n; *words; words += n, words += *words == ',') {
-        const size_t name = strcspn(words, ",=");
-        int set = 0;
-        n = strcspn(words, ",");
-        if (name == n) {
-            chain.lights.pass = SSGI_GL_PASS_LIGHTS;
-            desc = (char *)&chain.lights;
-            continue;
-        }
-        for (int k = 0; k < 2 && !set; ++k)
-            for (int i = 0; (c = k ? ssgi_gl_chain_choice_at(i) : ssgi_gl_choice_at(i)) != NULL; ++i) {
-                if (strlen(c->name) != name || strncmp(c->name, words, name)) continue;
-                const int value = value_in(c, words + name + 1, n - name - 1);
-                memcpy((k ? (char *)&chain : desc) + c->offset, &value, sizeof value);
-                set = 1;
-            }
-        CHECK(set, "there is no field %s", words);
-    }
-    return chain;
 }
 
 /* Checks that a wrong field of a chain is named, and that nothing is written. */
@@ -1004,6 +1220,8 @@ void test_steps(void)
             RUN("a method's name gives the passes that build/render draws", methods_by_name);
             RUN("names of methods are read in any spelling, or refused with those near them", names_of_methods);
             RUN("what is bound wrong is named before it is drawn", wrong_things);
+            RUN("pass debug shows each mistake in its own colour", mistakes_are_seen);
+            RUN("pass debug is grey where nothing is wrong", right_is_grey);
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
             RUN("pass thickness is drawn once, where slices read it, and costs a tap nothing", widths);

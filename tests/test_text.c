@@ -959,6 +959,7 @@ static const struct { const char *start, *desc; } rules[] = {
     { NULL, "s3ho,compute=all,packed_coefficients=1,transfer=1,bands=2,dialect=310es" },
     { NULL, "s3ho,compute=all,packed_coefficients=1,transfer=1,shaded=1,dialect=310es" },
     { "desc.shader.compute: blends", "blur,compute=all,onto=multiply,dialect=450" },
+    { "desc.shader.compute: blends", "debug,compute=all,onto=multiply,dialect=450" },
     { "desc.pass:", "surfels,tessellate=1,dialect=vulkan" },
     /* A value that is not kept may have many vectors; a field that a pass does not look at may have any value. */
     { NULL, "s3ho,transfer=1,shaded=1" },

@@ -52,6 +52,7 @@ ssdo-lights cornell ssdo light point:0,5,-2.8,20,20,20
 s3ho        room s3ho
 aof         casters aof set occluders=all,field_resolution=4,rays=16
 dss         casters dss
+debug       room debug
 END
 
 # Compute stages draw the bits of the fragment stages, from the same capture, in formats of ALL and of BASIC.
@@ -73,6 +74,7 @@ history     ALL   casters hsao set history=1 frames 6
 ssdo        BASIC room ssdo
 bounce      ALL   room ssdo set bounce=solid-angle,history=1 frames 3
 s3ho        BASIC room s3ho
+debug       ALL   room debug
 END
 
 # With the constant (constant_id 2) at 10, shaders of 6 samples draw the same as shaders of 10; without it they do not.

@@ -242,11 +242,13 @@ static void cut(kit_image *image, int pixels)
     image->height = height;
 }
 
+static int coloured(const kit_run *run) { return run->lit || run->pass[0].desc.pass == SSGI_GL_PASS_DEBUG; }
+
 /* Reads a texture of the run, rows top-down, into an image's plane and the next two. less: 1 subtracts it from them. */
 static int read_planes(const kit_run *run, GLuint source, kit_image *image, size_t plane, int less)
 {
     const size_t pixels = (size_t)image->width * (size_t)image->height, width = (size_t)image->width;
-    const size_t components = run->lit ? 4 : 1, planes = run->lit ? 3 : 1;
+    const size_t components = coloured(run) ? 4 : 1, planes = coloured(run) ? 3 : 1;
     float *texels = malloc(pixels * components * sizeof *texels);
     const int failed = !texels || kit_texture_read(source, image->width, image->height, (int)components, texels);
     for (size_t i = 0; i < pixels && !failed; ++i) {
@@ -288,7 +290,7 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     const int width = run->lit ? g->viewport[2] : last->width, height = run->lit ? g->viewport[3] : last->height;
     kit_image image;
     int failed;
-    if (kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : "Y", err)) return -1;
+    if (kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : coloured(run) ? "R,G,B" : "Y", err)) return -1;
     failed = run->light && read_planes(run, run->light, &image, run->lit ? 3 : 0, 0);
     if (run->lit && run->bounce) {
         failed = failed || read_planes(run, run->bounce, &image, 6, 0);

@@ -278,6 +278,7 @@ static const plan plans[] = {
       SURFELS(&fine_size_row, &keep_small_row, &levels_row, &sky_row, LIT_SURFELS, PUBLISHED, &exponent_row) },
     { SSGI_GL_PASS_DSS, SSGI_GL_EFFECT_SCATTER, 0,
       SURFELS(&fine_size_row, &each_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
+    { SSGI_GL_PASS_DEBUG, 0, 0, SETTINGS(&normal_row) },
     { SSGI_GL_PASS_AOF, 0, 0,
       SETTINGS(&resolution_row, &radii_row, &rays_a_row, &unfiltered_row, &reach_row, &ramp_row, &inside_row,
                &power_row, &own_row, &occluders_row, &normal_row, &cap_table_row) }
@@ -356,9 +357,12 @@ static ssgi_result library_of(ssgi_gl_chain *chain, ssgi_gl_frame *frame, const 
              : ssgi_gl_frame_of(frame, chain, &view, 1, why);
 }
 
+enum { DEBUG = -2 };                           /* the number of debug, which has a name, but is no method */
+
 int kit_method_at(kit_method *method, int i)
 {
-    const ssgi_gl_method *named = ssgi_gl_method_at(i);
+    static const ssgi_gl_method debug = { "debug", "Faults of the inputs.", SSGI_GL_PASS_DEBUG, 0, "" };
+    const ssgi_gl_method *named = i == DEBUG ? &debug : ssgi_gl_method_at(i);
     kit_method m;
     ssgi_gl_chain chain;
     ssgi_gl_frame frame;
@@ -385,6 +389,7 @@ int kit_method_find(kit_method *method, const char *name, kit_error *err)
     kit_method m;
     for (int i = 0; kit_method_at(&m, i); ++i)
         if (!strcmp(m.name, name)) { *method = m; return 0; }
+    if (!strcmp("debug", name)) return !kit_method_at(method, DEBUG);
     ssgi_gl_chain_of(&chain, name, &why);
     return kit_fail(err, "--method %s: %s (--list names all)", name, why + strlen("name: "));
 }

@@ -305,6 +305,11 @@ static void print_passes(void)
             }
             if (*between != ' ') print_item();
         }
+        const ssgi_gl_fault *fault;
+        for (int k = 0; v.desc.pass == SSGI_GL_PASS_DEBUG && (fault = ssgi_gl_fault_at(k)) != NULL; ++k) {
+            add("%s: %s", fault->colour, fault->sentence);
+            print_item();
+        }
     }
 }
 

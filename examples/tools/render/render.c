@@ -159,7 +159,7 @@ static int check_normals(job *j, const options *o, const kit_image *frame, const
     enum { ENOUGH = 256 };
     kit_agreement now, then;
     kit_camera other = *camera;
-    if (j->method.set.normal || !kit_image_channel(frame, "N.X")) return 0;
+    if (j->method.set.normal || j->method.pass == SSGI_GL_PASS_DEBUG || !kit_image_channel(frame, "N.X")) return 0;
     if (kit_frame_agreement(&now, frame, camera, err)) return -1;
     if (now.pixels < ENOUGH) return 0;
     if (now.off > 0.5)
@@ -370,7 +370,8 @@ int render_write(const job *j, const kit_gbuffer *g, kit_image *picture, int lit
     if (colours && colour(picture, g, err)) return -1;
     if (j->o.backdrop && lit && add_backdrop(picture, g, &j->lighting.env, err)) return -1;
     return strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(picture, path, err)
-                                              : kit_png_write(picture, rgb ? "R,G,B" : "Y", rgb, path, err);
+                                              : kit_png_write(picture, kit_image_channel(picture, "Y") ? "Y" : "R,G,B", rgb,
+                                                                path, err);
 }
 
 /* Saves the G-buffer with its camera and radius, and with the depth layers and slabs that the settings added. */
