@@ -1,5 +1,5 @@
 /* test_stability.c - results of `make stability` that must stay: its own sweeps at the quick values, of a few methods
-   each, within the bounds in causes.csv. */
+   each, within the bounds in causes.csv: 15 % above what was measured, or 0.04 if that is a ratio to a single frame. */
 #include "t.h"
 #include "kit/kit_gl.h"
 #include "lab/stability/sweep.h"
@@ -21,13 +21,14 @@ static void bounded(const result *r, const char *label, double least, double mos
 
 static void holds_still(void)
 {
-    enum { MOST_BOUNDS = 5 };
+    enum { MOST_BOUNDS = 6 };
 
     static result r;
     struct { char label[32]; double least, most; } bound[MOST_BOUNDS] = { { "", 0, 0 } };
     sweep_options o = { .quick = 1 };
     kit_error err = { "" };
     int bounds = 0, used = 0;
+    if (!CHECK(*now->holds && *now->bounds, "%s: has no bound", now->name)) return;
     for (const char *at = now->bounds; *at; at += used, at += *at == '|', ++bounds) {
         const int length = (int)strcspn(at, "=");
         if (!CHECK(bounds < MOST_BOUNDS
@@ -39,8 +40,9 @@ static void holds_still(void)
         for (int m = 0; m < sweeps_methods; ++m)
             if (!strcmp(sweeps_method[m].label, bound[bounds].label)) o.methods += o.method[m] = 1;
     }
-    cause fewer = *now;                        /* a copy with fewer rays: the truth's noise hardly changes an error */
+    cause fewer = *now;                        /* fewer rays, as noise hardly changes errors; of slow light one value */
     if (fewer.kind != DEVIATION) fewer.rays /= 2;
+    if (fewer.kind == FOLLOWS && fewer.of & KEPT_LIGHT) fewer.value[0] = fewer.value[3], fewer.value[1] = 0;
     if (!CHECK(!sweep(&r, &fewer, &o, now->name, &err), "%s", err.text)) return;
     for (int i = 0; i < bounds; ++i) bounded(&r, bound[i].label, bound[i].least, bound[i].most);
     for (int k = 0; k < r.curves; ++k) kit_image_free(&r.curve[k].worst);
@@ -50,7 +52,8 @@ void test_stability(void)
 {
     kit_error err = { "" };
     if (!CHECK(!sweeps_load(&err) && !kit_gl_open(NULL, &err), "%s", err.text)) return;
-    for (now = sweeps_cause; now < sweeps_cause + sweeps_causes; ++now) if (*now->holds) RUN(now->holds, holds_still);
+    for (now = sweeps_cause; now < sweeps_cause + sweeps_causes; ++now)
+        RUN(*now->holds ? now->holds : now->name, holds_still);
     kit_fields_free();
     kit_gl_close();
 }

@@ -51,13 +51,13 @@ def scored(scene, ways, truth=""):
 
 
 def swept(cause, *methods):
-    """Yields the figure that build/stability prints for each method."""
-    asked = "".join(" --method " + m for m in methods)
+    """Returns the figure that build/stability prints for each method, or for what stands beside them."""
+    asked = "".join(" --method " + m for m in methods if m != "beside")
     lines = said(STABILITY, "--quick --out build/failures/stability --cause %s%s" % (cause, asked)).splitlines()
     for head, row in zip(lines, lines[1:]):
         if row.startswith(cause + " "):
             figures = dict(zip(head.split(), row.split()))
-            return [(m, figures[m]) for m in methods]
+            return [("%s: %s" % (cause, m), figures[m]) for m in methods]
     return [(cause, line.split(", ", 1)[1].rstrip(";")) for line in lines if line.startswith(cause + ",")]
 
 
@@ -159,6 +159,7 @@ ROWS = [
                                                       "--method dss --set thickness=back"))),
     ("a lone thin slab over a floor", lambda: slabs(1)),
     ("eight slabs over each other", lambda: slabs(8)),
+    ("slabs over each other, the floor below them", lambda: swept("stack", "hsao", "dss", "aof", "beside")),
     ("foliage", lambda: scored("random:foliage:3 " + SIZE, ("", "--set resolution=full"))),
     ("a radius that is too small, or too large", lambda: swept("radius", "hsao", "dss")),
     ("a floor seen along itself: a row of the wall", far_corner),
@@ -173,6 +174,15 @@ ROWS = [
     ("a spark of 1000 among 0.05: the most that it brings", lambda: shining(
         1, ("--method ssdo", "--method ssdo-best", "--method ssdo --set clamp=0.2",
             "--method ssdo-best --set clamp=0.2"))),
+    ("a bounce, as its emitter turns away", lambda: swept("emitter", "ssdo-bounce", "s3ho-bounce", "dss-bounce",
+                                                          "beside")),
+    ("a black screen before an emitter", lambda: swept("leak", "ssdo-bounce", "s3ho-bounce", "dss-bounce")),
+    ("a lamp of 1 degree in a black sky", lambda: swept("lamp", "ssdo", "s3ho", "ssbn", "beside")),
+    ("light through a slit of 10 degrees", lambda: swept("slit", "ssdo", "s3ho", "ssbn", "dss-lit")),
+    ("a contact's shadow, by a map of 32 texels", lambda: swept("contact-size", "ssdo-map", "ssdo-fill", "ssdo-segment",
+                                                                "beside")),
+    ("1 over the number of shades, with 2 directions or more, unfiltered", lambda: swept(
+        "shades", "ssao-raw", "hsao-march-raw", "beside")),
     ("linear depth of 16 bits: good to this view depth, with the near plane at 0.1", lambda: swept(
         "depth-16f", "hsao")),
     ("depth of 24 bits, likewise", lambda: swept("depth-24", "hsao")),
@@ -185,8 +195,9 @@ ROWS = [
 HEAD = """# Where it fails, measured
 
 By `make failures`, which writes this file: each fault that README names, as it is and with its remedies, on small
-scenes. Figures are RMSE against ray-traced truth where nothing else is said; those of build/stability are the worst of
-a sweep. `--flags` are build/render's, a fault without any is drawn by `hsao`.
+scenes. Figures are RMSE against ray-traced truth where nothing else is said. `--flags` are build/render's, a fault
+without any is drawn by `hsao`. `stack: dss` is the worst figure of a sweep, by `build/stability --quick --cause stack
+--method dss`; beside methods stands an image without the effect, or the truth's own figure.
 
 | fault | drawn by | figure |
 |---|---|---|

@@ -203,12 +203,15 @@ ${listed([...grouped(rows, r => (key ? `${r[key]}, ` : '') + r.method)], ['', 0]
 function stability(causes, record) {
     const still = causes.filter(c => 'hsao' in c);
     const moving = causes.filter(c => !still.includes(c) && Object.keys(c).some(key => key.endsWith('-history')));
+    const others = causes.filter(c => !still.includes(c) && !moving.includes(c));
     const hosts = moved(record, 'Frames as hosts make them', 'move');
     const moves = [moved(record, 'Cameras that move'), hosts].filter(Boolean);
     return `The worst of each sweep: RMSE of ambient visibility, or what the page says of that sweep. Beside: no
 ambient occlusion at all, the truth's own flicker, or open ground.
 
-${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}${moves
+${worst(still)}${moving.length ? `\n\nOver frames:\n\n${worst(moving)}` : ''}${
+        others.length ? `\n\nOf light, and of functions alone:\n\n${worst(others)}` : ''
+    }${moves
     .map(m => `\n\n${m}`)
     .join('')}`;
 }

@@ -123,11 +123,11 @@ static int drawn(kit_image *out, shot *s, const char *method, const char *set, f
 /* Changes a look's scene: adds boxes; hides all casters but one in the ground, if that is asked for; scales. */
 static int furnish(shot *s, const look *l, kit_error *err)
 {
-    static const float grey[3] = { 0.7f, 0.7f, 0.7f },
+    static const float grey[2][3] = { { 0.7f, 0.7f, 0.7f }, { 0, 0, 0 } },
                        hidden[16] = { 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, -0.1f, 0, 1 };
     kit_mesh *mesh = &s->scene.mesh;
     for (const float(*b)[6] = l->box; b < l->box + BOXES && (*b)[4] > (*b)[1]; ++b)
-        if (kit_scene_add_box(&s->scene, *b, *b + 3, grey, err)) return -1;
+        if (kit_scene_add_box(&s->scene, *b, *b + 3, grey[b + 1 == l->box + l->black], err)) return -1;
     for (int i = 0, found = 0; l->only && i < s->scene.objects; ++i) {
         kit_object *o = &s->scene.object[i];
         const int it = o->casts && !found && !strcmp(o->name, l->only);
@@ -143,27 +143,63 @@ static int furnish(shot *s, const look *l, kit_error *err)
     return 0;
 }
 
+/* Makes an environment so many times smaller each way: preparing it for each frame took most of the time. */
+static int shrink(kit_image *env, int times, kit_error *err)
+{
+    kit_image small;
+    if (kit_image_new(&small, env->width / times, env->height / times, "R,G,B", err)) return -1;
+    for (int i = 0; i < 3 * env->width * env->height; ++i)
+        small.data[i / env->width / times * small.width + i % env->width / times] +=
+            env->data[i] / (float)(times * times);
+    kit_image_free(env);
+    *env = small;
+    return 0;
+}
+
 static int light_up(shot *s, const look *l, kit_error *err)
 {
     const float b = 3 * (1 - l->dimmed);
     const kit_light sun = { KIT_SUN, { l->sun[0], l->sun[1], l->sun[2] }, { b, b, b } };
     const int lit = l->sun[1] > 0;
+    if (l->lamp < 0) {
+        s->lighting.light[s->lighting.lights++] = sun;
+        return 0;
+    }
+    if (l->lamp > 0) return kit_env_add_sun(&s->lighting.env, &sun, (double)l->lamp, err);
     if (kit_env_read(&s->lighting.env, lit ? "sky" : "white", err)) return -1;
-    return lit ? kit_env_add_sun(&s->lighting.env, &sun, SUN_DEGREES, err) : 0;
+    return (lit && kit_env_add_sun(&s->lighting.env, &sun, SUN_DEGREES, err)) || shrink(&s->lighting.env, 4, err) ? -1
+                                                                                                               : 0;
+}
+
+/* Makes the bounce the light that shot_values finds. */
+static void keep_bounce(kit_image *i)
+{
+    memcpy(kit_image_channel(i, "irradiance.G"), kit_image_channel(i, "bounce.G"),
+           (size_t)i->width * (size_t)i->height * sizeof *i->data);
 }
 
 static int trace(shot *s, const look *l, const int truths[2], kit_error *err)
 {
+    static const char open[] = "bounce=none,blur=0,shadows=none";
     const kit_camera *c = &s->gbuffer.camera;
-    const int lit = l->sun[1] > 0, attenuation = KIT_ATTENUATION_LINEAR;
-    if (truths[0] && lit && l->within)
-        return kit_truth_lit(&s->truth[0], &s->scene, c, &s->lighting, s->radius, attenuation, 0, l->rays, l->stride,
-                             err);
-    /* Nothing blocks at so small a radius, so the truth is the change of the light itself. */
-    if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo-points", "bounce=none,blur=0", 1e-4f * s->radius, err);
-    if (truths[0] && kit_truth_ao(&s->truth[0], &s->scene, c, s->radius, attenuation, l->rays, l->stride, err))
-        return -1;
-    return truths[1] ? kit_truth_objects(&s->truth[1], &s->scene, c, l->rays, l->stride, err) : 0;
+    const float nothing = 1e-4f * s->radius;               /* a radius in which nothing blocks */
+    const int lit = l->sun[1] > 0;
+    for (int k = 0; k < 2; ++k) {
+        const int fades = k ? KIT_ATTENUATION_NONE : KIT_ATTENUATION_LINEAR;
+        kit_image *truth = &s->truth[k];
+        if (!truths[k]) continue;
+        /* Without occlusion the truth is the change of the light itself. */
+        if (lit && !l->within  ? drawn(truth, s, "ssdo-points", open, nothing, err)
+            : lit              ? kit_truth_lit(truth, &s->scene, c, &s->lighting, s->radius, fades, l->bounced, l->rays,
+                                               l->stride, err)
+            : k                ? kit_truth_objects(truth, &s->scene, c, l->rays, l->stride, err)
+                               : kit_truth_ao(truth, &s->scene, c, s->radius, fades, l->rays, l->stride, err))
+            return -1;
+        if (l->bounced) keep_bounce(truth);
+    }
+    return l->bounced   ? kit_image_new(&s->none, l->width, l->height, "Y", err)
+           : l->lamp != 0 ? drawn(&s->none, s, "ssdo-points", open, nothing, err)
+                          : 0;
 }
 
 /* Writes the motion vectors of the first box, which moves along the picture's rows; all else stands still. */
@@ -191,6 +227,7 @@ static int tell_motion(shot *s, const look *l, kit_error *err)
 int shot_open(shot *s, const look *l, const int truths[2], kit_error *err)
 {
     memset(s, 0, sizeof *s);
+    s->look = *l;
     if (kit_scene_load(&s->scene, l->scene, 0, err) || furnish(s, l, err)) return -1;
     kit_camera c = s->scene.camera;
     const float pixel = shot_aim(&c, l), scale = l->scale > 0 ? l->scale : 1;
@@ -207,6 +244,7 @@ void shot_close(shot *s)
 {
     for (int m = 0; m < MOST_METHODS; ++m) { kit_image_free(&s->picture[m]); kit_image_free(&s->single[m]); }
     for (int k = 0; k < 2; ++k) kit_image_free(&s->truth[k]);
+    kit_image_free(&s->none);
     kit_image_free(&s->frame);
     kit_image_free(&s->lighting.env);
     kit_gbuffer_free(&s->gbuffer);
@@ -221,7 +259,11 @@ float *shot_values(const kit_image *i) { return kit_image_channel(i, i->channels
 
 int shot_draw(shot *s, int m, kit_error *err)
 {
-    return drawn(&s->picture[m], s, sweeps_method[m].method, sweeps_method[m].settings, s->radius, err);
+    char settings[128];
+    snprintf(settings, sizeof settings, "%s%s", sweeps_method[m].settings, s->look.set);
+    if (drawn(&s->picture[m], s, sweeps_method[m].method, settings, s->radius, err)) return -1;
+    if (s->look.bounced) keep_bounce(&s->picture[m]);
+    return 0;
 }
 
 int shot_draw_kept(shot *s, int m, kit_frames *frames, kit_error *err)
@@ -256,11 +298,22 @@ double shot_apart(const kit_image *a, const kit_image *b, const float *mask)
     size_t count = 0;
     for (int i = 0; i < b->width * b->height; ++i) {
         if (!(mask[i] > 0) || isnan(shot_values(b)[i])) continue;
-        const double d = (a ? (double)shot_values(a)[i] : 1) - (double)shot_values(b)[i];
+        const double d = (a->data ? (double)shot_values(a)[i] : 1) - (double)shot_values(b)[i];
         sum += isnan(d) ? 1 : d * d;
         ++count;
     }
     return sqrt(sum / (double)count);
+}
+
+int shot_shades(const kit_image *picture, const float *mask)
+{
+    int seen[256] = { 0 }, count = 0;
+    for (int i = 0; i < picture->width * picture->height; ++i) {
+        int *shade = &seen[(int)(fminf(fmaxf(shot_values(picture)[i], 0), 1) * 255 + 0.5f)];
+        count += mask[i] > 0 && !*shade;
+        *shade |= mask[i] > 0;
+    }
+    return count;
 }
 
 /* Carries a point p along with its object, which stands elsewhere in another frame. */

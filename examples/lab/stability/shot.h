@@ -11,11 +11,13 @@ typedef struct shot {
     kit_scene    scene;
     kit_gbuffer  gbuffer;
     kit_lighting lighting;
-    kit_image    frame, truth[2];                          /* truth[]: of all occlusion, of that between objects */
+    kit_image    frame, truth[2];                          /* truth[1]: of FAR methods */
+    kit_image    none;                                     /* without the effect; no data: 1 everywhere */
     kit_image    picture[MOST_METHODS], single[MOST_METHODS];
     float       *mask, to_world[MOST_OBJECTS][16];         /* mask: above 0 at the pixels that are scored */
     uint32_t    *object;
     float        radius;
+    look         look;
 } shot;
 
 /* Opens the scene, the frame and the truths of a look. truths[k] is 1 if truth k is traced. */
@@ -29,6 +31,8 @@ int    shot_draw(shot *s, int m, kit_error *err);
 int    shot_draw_kept(shot *s, int m, kit_frames *frames, kit_error *err);
 /* Returns the values to compare: ambient visibility, or irradiance over pi, which equals it under white light. */
 float *shot_values(const kit_image *picture);
+/* Returns how many of an image's 256 shades the scored pixels have. */
+int    shot_shades(const kit_image *picture, const float *mask);
 /* Interpolates a picture at a point of an object. Returns 0 if the frame shows another surface there. */
 int    shot_value_at(double *value, const shot *s, const kit_image *picture, const float p[3], uint32_t object);
 /* Writes the point of the scene that a pixel shows. */
@@ -36,8 +40,8 @@ void   shot_place(const shot *s, int pixel, float p[3]);
 /* Writes the values of so many pictures at the point that a pixel of the first one shows, carried along with its
    object. Returns 0 if some frame does not show the point. */
 int    shot_followed(double *v, const shot *shots, int frames, const kit_image *const *pictures, int pixel);
-/* Returns the RMSE between two pictures (a NULL: of 1 everywhere) over the pixels that are scored and known in b. A
-   value that is no number has an error of 1. */
+/* Returns the RMSE between two pictures (a without data: 1 everywhere) over the pixels that are scored and known in b.
+   A value that is no number has an error of 1. */
 double shot_apart(const kit_image *a, const kit_image *b, const float *mask);
 
 #endif

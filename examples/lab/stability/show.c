@@ -25,7 +25,8 @@ static const struct { const char *number, *up, *shown; } kinds[] = {
     [TRAIL] = { "most of the old picture that is left", "rest of the old picture, of ambient visibility",
                 DIFFERENCE },
     [HELD] = { "most pixels, a share of all, that keep more than 0.05 of the old picture",
-               "pixels that keep more than 0.05 of the old picture, a share of all", DIFFERENCE }
+               "pixels that keep more than 0.05 of the old picture, a share of all", DIFFERENCE },
+    [SHADES] = { "1 over the fewest shades of 256", "1 over the number of shades of 256", DIFFERENCE }
 };
 
 static const char *settings_of(const curve *c) { return c->method < 0 ? "" : sweeps_method[c->method].settings; }

@@ -151,12 +151,13 @@ static double figure_of(float *map, const shot *shots, int frames, int kind, int
     switch (kind) {
     case ERROR:
     case PRECISION:
-        return shot_apart(m < 0 ? NULL : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
+        return shot_apart(m < 0 ? &s->none : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
     case NEWLY:     return newly_over_alone(shots, frames, m);
     case TRAIL:     return remains(s, &shots[CHANGED - 1], m, 0);
     case HELD:      return remains(s, &shots[CHANGED - 1], m, 1);
     case FOLLOWS:   return most_over_alone(shots, 1, frames, m);
     case AFTER:     return most_over_alone(shots, frames - 1, frames, m);
+    case SHADES:    return 1.0 / shot_shades(m < 0 ? &s->truth[0] : &s->picture[m], s->mask);
     default:        return flicker_of(map, shots, frames, kind, m, between);
     }
 }
@@ -170,7 +171,7 @@ static int point_of(result *r, int point, const shot *shots, int frames, const l
     if (!map) return kit_fail(err, "out of memory");
     for (int i = 0; i < r->curves; ++i) {
         curve *c = &r->curve[i];
-        const int m = c->method, between = m >= 0 && sweeps_method[m].of == FIELD;
+        const int m = c->method, between = m >= 0 && sweeps_method[m].of & FAR;
         kit_image worst;
         if (m >= 0 && !shots[frames - 1].picture[m].data) continue;
         const double y = figure_of(map, shots, frames, kind, m, between);
@@ -205,7 +206,7 @@ static void holds(result *r)
 /* Returns how many frames a value of a cause takes. */
 static int frames_of(const cause *c, double value)
 {
-    if (c->kind == ERROR) return 1;
+    if (c->kind == ERROR || c->kind == SHADES) return 1;
     if (c->kind == PRECISION) return 2;
     if (c->kind == AFTER || c->kind == TRAIL || c->kind == HELD) return CHANGED + (int)value;
     return c->kind == FOLLOWS || c->kind == NEWLY || (c->kind == DEVIATION && c->of == KEPT) ? FRAMES : 4;
@@ -214,13 +215,15 @@ static int frames_of(const cause *c, double value)
 /* Adds a curve for each swept method and for the reference beside them; truths: set to those they need. */
 static void curves_of(result *r, const sweep_options *o, int truths[2])
 {
-    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL, NULL, NULL };
+    static const char *const beside[] = { [ERROR] = "no AO", [DEVIATION] = "truth", [SECOND] = "truth",
+                                          [LIT_SECOND] = "open", [SHADES] = "truth" };
     const cause *c = r->cause;
-    if (beside[c->kind]) curve_new(r, beside[c->kind], BESIDE);
+    const int lit = c->kind == ERROR && c->of & (TURNED | BOUNCED | SHADOWED) && !(c->of & SCREEN);
+    if (lit || beside[c->kind]) curve_new(r, lit ? "none" : beside[c->kind], BESIDE);
     for (int m = 0; m < sweeps_methods; ++m) {
         if (!(sweeps_method[m].of & c->of) || (o->methods && !o->method[m])) continue;
         curve_new(r, sweeps_method[m].label, m);
-        if (c->kind != PRECISION) truths[sweeps_method[m].of == FIELD] = truths[0] = 1;
+        if (c->kind != PRECISION) truths[sweeps_method[m].of / FAR] = truths[0] = 1;
     }
 }
 
@@ -237,12 +240,20 @@ static int draw(shot *s, int m, int width, kit_frames *kept, kit_error *err)
     return m >= 0 && width <= sweeps_method[m].widest ? shot_draw(s, m, err) : 0;
 }
 
+/* Returns whether a figure of so many frames needs the truth of frame k. */
+static int traced(int kind, int k, int first, int frames)
+{
+    const int last = k == frames - 1;
+    return kind == AFTER ? last : kind == TRAIL || kind == HELD ? last || k == CHANGED - 1 : k >= first;
+}
+
 /* Draws the frames of one value with all methods, and adds the point of each curve. done, share: for kit_progress. */
 static int value_of(result *r, double value, const sweep_options *o, const int truths[2], const char *what, double done,
                     double share, kit_error *err)
 {
     static shot shots[FRAMES];
     static kit_frames kept[MOST_METHODS];
+    static const int none[2] = { 0, 0 };
     const cause *c = r->cause;
     const int frames = frames_of(c, value);
     const int first = c->kind == DEVIATION && c->of == KEPT ? CHANGED : 0;     /* history fills before */
@@ -252,7 +263,7 @@ static int value_of(result *r, double value, const sweep_options *o, const int t
         l = sweeps_look(c, value, k);
         if (o->quick) l.rays /= 2;
         kit_progress(what, done + share * k / frames);
-        if (shot_open(&shots[k], &l, truths, err)) return -1;
+        if (shot_open(&shots[k], &l, traced(c->kind, k, first, frames) ? truths : none, err)) return -1;
         if (c->kind == NEWLY && k) only_new(&shots[k], &shots[k - 1]);
         for (int i = 0; i < r->curves; ++i) {
             if (draw(&shots[k], r->curve[i].method, l.width, kept, err)) return -1;

@@ -26,8 +26,16 @@ const swept sweeps_method[] = {
     { "ssdo-fast-history", "ssdo-fast", "bounce=none,history=1", KEPT_LIGHT,     1920 },
     /* with the reach that a close look needs, 0.7 image heights; 4 levels reach 0.18 of one */
     { "dss",        "dss",        "levels=6,resolution=full",              OF_SURFELS,       1280 },
-    { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED,         1280 },
-    { "aof",        "aof",        "field_resolution=8,radii=8,rays=64", FIELD,          1920 }
+    { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED | FAR,   1280 },
+    { "aof",        "aof",        "field_resolution=8,radii=8,rays=64", FIELD | FAR,    1920 },
+    { "ssdo-bounce", "ssdo",      "",                             BOUNCED,        1920 },
+    { "s3ho-bounce", "s3ho",      "indirect=joint",               BOUNCED,        1920 },
+    { "dss-bounce", "dss-lit",    "",                             BOUNCED | FAR,  1280 },
+    { "ssdo-segment", "ssdo",     "bounce=none,shadows=segment",  SHADOWED,       1920 },
+    { "ssdo-map",   "ssdo",       "bounce=none,shadows=map",      SHADOWED,       1920 },
+    { "ssdo-fill",  "ssdo",       "bounce=none,shadows=fill",     SHADOWED,       1920 },
+    { "ssao-raw",   "ssao",       "blur=0",                       COUNTED,        1920 },
+    { "hsao-march-raw", "hsao-march", "blur=0",                   COUNTED,        1920 }
 };
 const int sweeps_methods = sizeof sweeps_method / sizeof *sweeps_method;
 _Static_assert(sizeof sweeps_method / sizeof *sweeps_method <= MOST_METHODS, "more methods than MOST_METHODS");
@@ -208,6 +216,87 @@ static void trembling(look *l)
     l->dimmed = l->frame & 1 ? 0.01f * l->value : 0;
 }
 
+/* Lights a scene by a sun alone, and scores the floor beside the left side of a box of that height. */
+static void sunny(look *l, float x, float y, float lamp, float height)
+{
+    camera(l, -2, 2, 2, -0.1f, 0, 0, 12);
+    l->stride = 2;
+    set(l->sun, x, y, 0);
+    l->lamp = lamp;
+    l->radius = 0.6f;
+    l->within = 1;
+    set_box(l->box[0], 0, 0.001f, -0.5f, 0.3f, height, 0.5f);
+    set_box(l->where, -0.4f, -0.1f, -0.3f, -0.001f, 0.01f, 0.3f);
+}
+
+/* A sunlit wall sends light to the floor before it, while the camera turns behind the wall. */
+static void emitter(look *l)
+{
+    sunny(l, -1, 1, -1, 0.3f);
+    l->bounced = 1;
+    l->orbit = l->value;
+}
+
+/* The same, and a black screen rises between the wall and the floor, too low to shade the wall from a high sun. */
+static void leak(look *l)
+{
+    sunny(l, -0.4f, 1, -1, 0.5f);
+    l->bounced = 1;
+    l->black = 2;
+    set_box(l->box[1], -0.22f, 0, -0.5f, -0.2f, 0.001f + 0.5f * l->value, 0.5f);
+    set_box(l->where, -0.5f, -0.1f, -0.3f, -0.221f, 0.01f, 0.3f);
+}
+
+static void lamp(look *l)
+{
+    l->scene = "boxes";
+    set(l->sun, 0.8f, 0.8f, 0.6f);
+    l->lamp = l->value;
+    l->within = 1;
+}
+
+/* A floor between two blocks sees so many degrees of the sky, with the lamp in their middle. */
+static void slit(look *l)
+{
+    const float half = 0.4f * tanf(0.5f * l->value * DEGREE);
+    sunny(l, 0, 1, 1.5f, 0.4f);
+    l->sun[0] = 1e-4f;
+    camera(l, 0, 3, 2, 0, 0, 0, 16);
+    set_box(l->box[0], -half - 1, 0.001f, -1, -half, 0.4f, 1);
+    set_box(l->box[1], half, 0.001f, -1, half + 1, 0.4f, 1);
+    set_box(l->where, -0.4f * half, -0.1f, -0.2f, 0.4f * half, 0.01f, 0.2f);
+}
+
+/* The shadow of a plate that lies on the floor: by the sun's height, and by the size of the shadow map. */
+static void contact(look *l, float degrees, int size)
+{
+    sunny(l, cosf(degrees * DEGREE), sinf(degrees * DEGREE), -1, 0.01f);
+    l->stride = 1;
+    l->fovy = 6;
+    l->where[0] = -0.0087f / tanf(degrees * DEGREE);
+    snprintf(l->set, sizeof l->set, ",shadow_size=%d", size);
+}
+static void contact_angle(look *l) { contact(l, l->value, 128); }
+static void contact_size(look *l)  { contact(l, 30, (int)l->value); }
+
+/* Thin slabs over each other. */
+static void stacked(look *l)
+{
+    camera(l, 2, 2, 3, 0, 0.3f, 0, 40);
+    l->radius = 2;
+    for (int k = 0; k < (int)l->value; ++k) {
+        const float y = 0.1f * (float)(k + 1);
+        set_box(l->box[k], -0.5f, y, -0.5f, 0.5f, y + 0.02f, 0.5f);
+    }
+    set_box(l->where, -1.5f, -0.1f, -1.5f, 1.5f, 0.01f, 1.5f);
+}
+
+static void counted(look *l)
+{
+    l->scene = "casters";
+    snprintf(l->set, sizeof l->set, ",directions=%d", (int)l->value);
+}
+
 static void turning(look *l)
 {
     const float a = (20 + l->value * (float)l->frame) * DEGREE, size = 1.4f, c = size * cosf(a), s = size * sinf(a);
@@ -263,7 +352,9 @@ static const struct { const char *name; void (*at)(look *l); } looks[] = {
     { "behind", behind }, { "near-plane", near_plane }, { "stored", stored }, { "moved", moved },
     { "closer", closer }, { "sun", sun }, { "lit-within", lit_within }, { "switched", switched },
     { "trembling", trembling }, { "turning", turning }, { "sized", sized }, { "rolled", rolled }, { "slid", slid },
-    { "appeared", appeared }, { "vanished", vanished }, { "jumped", jumped }
+    { "appeared", appeared }, { "vanished", vanished }, { "jumped", jumped }, { "emitter", emitter },
+    { "leak", leak }, { "lamp", lamp }, { "slit", slit }, { "contact-angle", contact_angle },
+    { "contact-size", contact_size }, { "stacked", stacked }, { "counted", counted }
 };
 static const struct { const char *name; int (*curves)(result *r, kit_error *err); } of_maths[] = {
     { "ringing-open", maths_ringing_open }, { "ringing-in-shade", maths_ringing_in_shade }, { "hull", maths_hull },
@@ -291,9 +382,9 @@ static int word(const char *words, const char *text)
 static int cause_of(cause *c, char *const *f)
 {
     *c = (cause){ .name = f[0], .title = f[1], .across = f[2], .about = f[3], .holds = f[15], .bounds = f[16] };
-    c->kind = word("error precision deviation second lit-second follows after newly trail held", f[4]);
+    c->kind = word("error precision deviation second lit-second follows after newly trail held shades", f[4]);
     for (const char *at = f[5]; *at; at += strcspn(at, "+"), at += *at == '+') {
-        const int bit = word("screen light surfels field thin turned kept kept-light", at);
+        const int bit = word("screen light surfels field thin turned kept kept-light bounced shadowed counted", at);
         if (bit < 0) return 0;
         c->of |= 1 << bit;
     }

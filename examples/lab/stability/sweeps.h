@@ -9,7 +9,8 @@
 /* ---- >>methods --------------------------------------------------------------------------------------------------- */
 
 /* Bits for the groups of methods that a cause is tried with: all that read the screen; light, which equals ambient
-   visibility if it is white from everywhere; surfels; fields; methods that back faces help; a sun that turns. */
+   visibility if it is white from everywhere; surfels; fields; methods that back faces help; a sun that turns. The last
+   three are of one thing each: a bounce, a light's shadow, and unfiltered occlusion by so many directions. */
 enum {
     SCREEN = 1,
     LIGHT = 2,
@@ -19,11 +20,15 @@ enum {
     TURNED = 32,
     KEPT = 64 /* with history */,
     KEPT_LIGHT = 128 /* the same, of light */,
+    BOUNCED = 256,
+    SHADOWED = 512,
+    COUNTED = 1024,
+    FAR = 2048 /* judged by the second truth, as their occluders do not fade with distance */,
     AMBIENT = SCREEN | LIGHT | OF_SURFELS
 };
 /* A method that is swept. widest: the largest picture width at which it is drawn */
 typedef struct swept { const char *label, *method, *settings; int of, widest; } swept;
-enum { MOST_METHODS = 24 };
+enum { MOST_METHODS = 32 };
 extern const swept sweeps_method[];
 extern const int sweeps_methods;
 
@@ -31,13 +36,14 @@ extern const int sweeps_methods;
 
 /* formats of stored depth: view depth as 32F; as 16F; then three of window depth */
 enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
-enum { BOXES = 3, SUN_DEGREES = 3, MOST_VALUES = 12 };
+enum { BOXES = 8, SUN_DEGREES = 3, MOST_VALUES = 12 };
 /* One frame of a cause. Members that are 0 are the scene's own. */
 typedef struct look {
     float value;                           /* value: of the cause; frame: the number of its frame */
     int   frame;
     const char *scene, *only;              /* only: the name of the one caster that stays, at placed */
     float placed[16], box[BOXES][6];       /* placed: a matrix; boxes with y1 > y0 are added */
+    int   black;                           /* the number of the box that is black, from 1 on */
     float eye[3], target[3], up[3], fovy, znear, zfar;
     /* scale of the whole scene; then the camera moves: aside by so many of the target's pixels to the right, nearer by
        this share of the way to the target, rolls, and orbits the target, in degrees */
@@ -47,6 +53,10 @@ typedef struct look {
     float where[6];                        /* bounds of the scored points, on axes with lower < upper */
     float sun[3], dimmed;                  /* direction to a sun in the sky, and the share of it that is taken away;
                                               without it light is white from everywhere */
+    float lamp;                            /* above 0: the sun's half-angle in degrees, in a black sky; below: it is no
+                                              part of the sky, but a light with a shadow map */
+    int   bounced;                         /* 1: the bounce alone is looked at */
+    char  set[32];                         /* further settings of each method */
     float went;                            /* how far the first box moved along x since the frame before */
     int   told;                            /* 1: with motion vectors */
     int   format, width, height, stride, rays, within;   /* within 1: a sun's truth is traced within the radius */
@@ -56,8 +66,9 @@ typedef struct look {
    reprojection, less the truth's; second difference over frames; second difference of light, over its mean, less an
    open surface's. With history: RMSE over that of the frame alone, the largest of a sequence; the same so many frames
    after CHANGED; the same over all frames, at points that the frame before did not show; after CHANGED, how much of the
-   old picture remains, and the share of pixels where it is more than 0.05. */
-enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL, HELD };
+   old picture remains, and the share of pixels where it is more than 0.05. Then 1 over the number of shades, of the 256
+   of an image. */
+enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL, HELD, SHADES };
 enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
@@ -73,7 +84,7 @@ typedef struct cause {
     const char *holds, *bounds;
 } cause;
 
-enum { MOST_CAUSES = 48 };
+enum { MOST_CAUSES = 64 };
 extern cause sweeps_cause[MOST_CAUSES];
 extern int sweeps_causes;
 /* Reads the lines of causes; call it first. Columns: see cause; of: words with + between; depth: a name of format;
