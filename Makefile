@@ -12,7 +12,7 @@
 CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
-KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples -Ibuild/include $(WARNINGS) $(EXR) $(CFLAGS)
+KIT_FLAGS = -std=c11 -D_GNU_SOURCE -ffp-contract=off -Iexamples -Itests -Ibuild/include $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lz -lm -lpthread -ldl \
             -Wl,--as-needed $(shell pkg-config --libs assimp 2>/dev/null)
 # The files of a folder that match, without their ending.
@@ -99,7 +99,7 @@ OF_web-scenes = web/scenes
 KITS          = render report stability bench try reflection quiet against cost glsl-text web-scenes
 $(foreach p,$(KITS),$(eval build/$(p): $(OF_$(p):%=build/examples/%.o)))
 # A method's chain with its inputs and its picture, for tests that draw it by another API.
-build/capture: build/tests/capture.o $(GLSL:%=build/examples/%.o)
+build/capture: build/tests/examples/capture.o $(GLSL:%=build/examples/%.o)
 $(KITS:%=build/%) build/capture: $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(LIBS_$(@F)) -o $@
 
@@ -122,7 +122,7 @@ report/demo.js: build/report $(wildcard examples/lab/page/*.html examples/lab/pa
 # Opens the page that demo wrote in headless Chromium.
 demo-test: report/demo.js web-deps
 	@command -v node >/dev/null || { echo "skipped: everything: no node"; echo "0 passed, 0 failed"; exit 0; }; \
-	node tests/demo.mjs $(ONLY)
+	node tests/pages/demo.mjs $(ONLY)
 
 # Speed against accuracy, and error on scenes by seed; report/index.html. QUICK=1 is smaller. SCENE=room METHOD=hsao:
 # only that scene and methods whose names begin so. CONTEXT=egl draws on a GPU. Some scenes and one probe are in
@@ -346,23 +346,25 @@ OF_EXAMPLES = tools stability errors files models seeds papers cost
 # The files that tests of the examples call: all except the programs.
 TESTED = $(sort $(filter-out lab/report lab/stability/stability lab/stability/show,$(OF_report) $(OF_stability)) \
          $(addprefix lab/,against/compared against/subjects cost/count cost/share cost/model measure/csv))
-build/test: $(addprefix build/tests/,main.o t.o frames.o arguments.o $(OF_LIBRARY:%=test_%.o)) $(KIT_O)
+build/test: $(addprefix build/tests/,main.o t.o $(addprefix library/,frames.o arguments.o $(OF_LIBRARY:%=test_%.o))) \
+            $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 # Models in scenes by seed, from packages.
 model-deps:
 	@sh examples/kit/install.sh unzip sweethome3d-furniture assimp-testmodels || true
 build/test-examples: | model-deps
-build/test-examples: $(addprefix build/tests/,main.o t.o others.o $(OF_EXAMPLES:%=test_%.o)) \
+build/test-examples: $(addprefix build/tests/,main.o t.o $(addprefix examples/,others.o $(OF_EXAMPLES:%=test_%.o))) \
                      $(TESTED:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
 
-# Writes tests/errors.csv with the errors, noise and bounds of this tree; test group errors checks them.
+# Writes tests/examples/errors.csv with the errors, noise and bounds of this tree; test group errors checks them.
 errors: build/test-examples
 	T_ERRORS=build/errors.csv build/test-examples errors
-	mv build/errors.csv tests/errors.csv
+	mv build/errors.csv tests/examples/errors.csv
 
 # Reads damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
-build/fuzz-files: $(addprefix build/sanitized/,tests/fuzz_files.o tests/others.o $(KIT_BASE:%=%.o) trace/camera.o)
+build/fuzz-files: $(addprefix build/sanitized/,$(addprefix tests/examples/,fuzz_files.o others.o) $(KIT_BASE:%=%.o) \
+                  trace/camera.o)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
 
 # Checks that no room of examples/ calls one above it.
@@ -375,7 +377,7 @@ GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))
 PROGRAMS  = $(addprefix build/,render render-sanitized glsl-text fuzz-files bench fit report try quiet reflection \
             stability)
-NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/test_%.c) /dev/null 2>/dev/null))
+NAMED_IN  = $(filter $(PROGRAMS),$(shell grep -oh 'build/[a-z-]*' $(1:%=tests/*/test_%.c) /dev/null 2>/dev/null))
 RUN      := $(or $(strip $(ASKED)),$(OF_LIBRARY))
 test: $(if $(filter files,$(RUN)),page-deps) \
       $(if $(filter-out $(OF_EXAMPLES),$(RUN)),build/test) $(if $(filter $(OF_EXAMPLES),$(RUN)),build/test-examples) \
@@ -428,16 +430,16 @@ build/viewer-threads: $(VIEWER:%=build/threads/%) $(VIEWER_O:%=build/threads/%)
 
 # Tests it under Xvfb, beside build/render's pictures; parts whose programs are missing are skipped by name. FUZZ=300:
 # so many damaged files and arguments.
-build/rmse: tests/rmse.c | deps
+build/rmse: tests/examples/rmse.c | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
 XLIB = /usr/bin/python3 -c 'import Xlib' 2>/dev/null
 viewer-test: build/render build/rmse
 	@command -v Xvfb >/dev/null && pkg-config --exists glfw3 && $(XLIB) || \
 	  sh examples/kit/install.sh xvfb libglfw3-dev python3-xlib || true
-	@if $(XLIB); then install -m 755 tests/press.py build/press; else rm -f build/press; fi
+	@if $(XLIB); then install -m 755 tests/examples/press.py build/press; else rm -f build/press; fi
 	@if pkg-config --exists glfw3; then $(MAKE) -s viewer build/viewer-sanitized build/viewer-threads; fi
-	@FUZZ=$(FUZZ) sh tests/viewer.sh
+	@FUZZ=$(FUZZ) sh tests/examples/viewer.sh
 
 # Builds the pages of examples/hosts without a warning and runs them: their occlusion beside build/render's. Hosts whose
 # packages are missing are skipped by name. ONLY="glfw sdl": only those hosts.
@@ -449,7 +451,7 @@ hosts-test: build/render build/rmse build/glsl-text web-deps shared
 	@for p in $(HOST_PACKAGES); do sh examples/kit/install.sh $$p || true; done; mkdir -p build/hosts
 	@test -d build/hosts/node_modules/postprocessing || ! command -v npm >/dev/null || $(NPM_HOSTS) || true
 	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm
-	@sh tests/hosts.sh $(ONLY)
+	@sh tests/examples/hosts.sh $(ONLY)
 
 .PHONY: viewer glfw viewer-test hosts-test bench
 
@@ -522,15 +524,15 @@ web-test: web-deps
 	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
 	$(MAKE) --no-print-directory web build/render build/glsl-text && mkdir -p build/web-test && \
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
-	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs $(ONLY)
+	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/pages/web.mjs $(ONLY)
 
 # The time of the page until its first picture; BESIDE=folder: alternates with another build/web.
 web-first: web-deps web
-	@node tests/web-first.mjs $(or $(COUNT),5) $(BESIDE) build/web
+	@node tests/pages/web-first.mjs $(or $(COUNT),5) $(BESIDE) build/web
 
 # Pictures of the page, into examples/docs/pictures/page. ONLY=phone: those whose names contain it.
 web-shots: web-deps web
-	@node tests/web-shots.mjs $(ONLY)
+	@node tests/pages/web-shots.mjs $(ONLY)
 
 # Headless Chromium compiles the WGSL of every shader on WebGPU's software adapter, makes pipelines of them, and draws
 # the page of examples/hosts.
@@ -541,7 +543,7 @@ webgpu-test: web-deps build/glsl-text build/capture
 	rm -rf $(WEBGPU) && mkdir -p $(WEBGPU) && echo '<!doctype html><link rel="icon" href="data:,">' >$(WEBGPU)/empty.html && \
 	build/glsl-text $(WEBGPU)/glsl vulkan >/dev/null && { sh examples/tools/glsl/translate.sh $(WEBGPU)/glsl wgsl || \
 	{ test $$? = 2 && echo 'skipped: everything: no translator' && echo '0 passed, 0 failed' && exit 0; exit 1; }; } && \
-	node tests/webgpu.mjs $(ONLY)
+	node tests/pages/webgpu.mjs $(ONLY)
 
 .PHONY: web web-deps web-test web-first web-shots webgpu-test
 
@@ -553,7 +555,7 @@ VULKAN_FLAGS = -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdoubl
 vulkan: build/vulkan
 build/vulkan: examples/hosts/vulkan.cpp $(VULKAN_O)
 	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -O1 -g $< $(VULKAN_O) -lvulkan $(KIT_LIBS) -o $@
-build/vulkan-replay: tests/vulkan.cpp $(VULKAN_O)
+build/vulkan-replay: tests/examples/vulkan.cpp $(VULKAN_O)
 	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -g -fsanitize=address,undefined -fno-sanitize-recover=undefined $< \
 	  $(VULKAN_O) -lvulkan $(KIT_LIBS) -o $@
 
@@ -561,6 +563,6 @@ build/vulkan-replay: tests/vulkan.cpp $(VULKAN_O)
 VULKAN_NEEDS = mesa-vulkan-drivers vulkan-validationlayers libvulkan-dev nlohmann-json3-dev g++ glslang-tools
 vulkan-test: deps
 	@sh examples/kit/install.sh $(VULKAN_NEEDS) || true
-	@MAKE='$(MAKE)' CXX='$(CXX)' sh tests/vulkan.sh
+	@MAKE='$(MAKE)' CXX='$(CXX)' sh tests/examples/vulkan.sh
 
 .PHONY: vulkan vulkan-test

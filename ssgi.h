@@ -4,7 +4,7 @@
                                         #include "ssgi.h"
    and include it plainly elsewhere. The GLSL of every pass is in ssgi_gl.h, which includes this file.
 
-   QUICK USE  (compiled and run by tests/test_build.c)
+   QUICK USE  (compiled and run by tests/library/test_build.c)
 
       float      projection[16] = { 1.3f,0,0,0,  0,2.4f,0,0,  0,0,-1.002f,-1,  0,0,-0.2002f,0 };   // as GL has it
       ssgi_view  view;
@@ -186,7 +186,7 @@ SSGI_DEF void ssgi_extra_displacement(float out[3], int i);
 
 /* ==== >>bias =================================================================================================== */
 
-/* >>bias in use (compiled and run by tests/test_build.c)
+/* >>bias in use (compiled and run by tests/library/test_build.c)
 
       float lift = 1.5f * ssgi_normal_offset(&view, 3.0f);             // of a receiver at view depth 3, by its normal
       float patch = ssgi_shadow_patch(3.0f, 0.8f, 1024);               // the width of a texel of a spot's map there
@@ -251,7 +251,7 @@ SSGI_DEF ssgi_result ssgi_radius_guess(float *radius, size_t *maxima, const floa
 
 /* ==== >>kernel ================================================================================================= */
 
-/* >>kernel in use (compiled and run by tests/test_build.c)
+/* >>kernel in use (compiled and run by tests/library/test_build.c)
 
       float set[4 * 16], tile[4 * 4 * 4], up = 0.0f;                   // 16 samples; a tile of 4x4 texels of noise
       if (ssgi_kernel(set, 1, 16, &why) != SSGI_OK || ssgi_noise_tile(tile, 4, 16, 16, &why) != SSGI_OK) puts(why);
@@ -309,7 +309,7 @@ SSGI_DEF ssgi_result ssgi_noise_tile(float *out, int size, int sets, int directi
 
 /* ==== >>sh ===================================================================================================== */
 
-/* >>sh in use (compiled and run by tests/test_build.c)
+/* >>sh in use (compiled and run by tests/library/test_build.c)
 
       float image[3 * 64 * 32], light[3 * 9], basis[9], normal[3] = { 0, 0, 1 }, irradiance = 0.0f;
       for (int i = 0; i < 3 * 64 * 32; ++i) image[i] = 1.0f;           // an environment that is white all around
@@ -548,7 +548,7 @@ SSGI_DEF ssgi_result ssgi_trace_visibility(float *out, const ssgi_trace *trace, 
 
 /* ==== >>tessellate ============================================================================================= */
 
-/* >>tessellate in use (compiled and run by tests/test_build.c)
+/* >>tessellate in use (compiled and run by tests/library/test_build.c)
 
       double area = 2.0;                                               // of a triangle, to be tiled by discs
       int level = ssgi_tess_level(area, 0.1), points = ssgi_tess_count(level);  // 0.1: the discs' radius
@@ -767,7 +767,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
 
 /* ==== >>cap ==================================================================================================== */
 
-/* >>cap in use (compiled and run by tests/test_build.c)
+/* >>cap in use (compiled and run by tests/library/test_build.c)
 
       double share = ssgi_cap_occlusion(1.0, 0.5);                     // of a cap of 1 sr, 60 degrees off the normal
       float table[32 * 32];                                            // the same for all, to be a texture
@@ -805,7 +805,7 @@ SSGI_DEF ssgi_result ssgi_cap_light(float out[3], const float *coefficients, int
 
 /* ==== >>reflection ============================================================================================= */
 
-/* >>reflection in use (compiled and run by tests/test_build.c)
+/* >>reflection in use (compiled and run by tests/library/test_build.c)
 
       float lit = ssgi_interreflected(0.4f, 0.8f);                     // in a white room: brighter than 0.4
       float gloss = ssgi_specular_visibility(0.4f, 0.9f, 0.7f, 0.1f);  // of a lobe near the open directions
@@ -839,7 +839,7 @@ SSGI_DEF float ssgi_specular_visibility(float visibility, float bent, float norm
    about the occluder's centre the field stores the spherical cap that the occluder subtends, as a function of the
    distance from the centre, between the convex hull and the field's reach.  */
 
-/* >>field in use (compiled and run by tests/test_build.c)
+/* >>field in use (compiled and run by tests/library/test_build.c)
 
       float triangle[9] = { 0, 0, 0,  1, 0, 0,  0, 1, 0 }, point[3] = { 0.3f, 0.3f, 1 }, normal[3] = { 0, 0, -1 };
       ssgi_field field;
@@ -971,7 +971,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
    The predictions were fitted to ray-traced ground truth at 1280x720 and tested on other scenes:
    examples/docs/PLANNER.md. A survey improves predictions; a calibration improves them most.  */
 
-/* >>plan in use (compiled and run by tests/test_build.c)
+/* >>plan in use (compiled and run by tests/library/test_build.c)
 
       ssgi_plan_scene s;
       memset(&s, 0, sizeof s);                                         // a number left 0 is not known

@@ -7,7 +7,7 @@
    and include it plainly elsewhere. If another file implements ssgi.h, define SSGI_IMPLEMENTED_ELSEWHERE instead of
    SSGI_IMPLEMENTATION.
 
-   QUICK USE  of one pass alone, by ssgi_gl_emit and ssgi_gl_reflect (compiled and run by tests/test_build.c)
+   QUICK USE  of one pass alone, by ssgi_gl_emit and ssgi_gl_reflect (compiled and run by tests/library/test_build.c)
 
       // ssgi_gl_steps lists the draws of whole chains, with filter and history: see the README, examples/minimal.c.
       ssgi_gl_desc d;

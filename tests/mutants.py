@@ -196,8 +196,9 @@ def judge(mutant, folder, groups):
     path = os.path.join(folder, mutant["header"])
     with open(path, "w") as file:
         file.write(text.replace(mutant["search"], mutant["replacement"]))
-    own = [f for f in os.listdir("tests") if f.startswith("test_") and "own.h" in open("tests/" + f).read()]
-    kept = " ".join("-o build/tests/%s.o" % f[:-2] for f in own if f[5:-2] not in groups)
+    at = "tests/library/"
+    own = [f for f in os.listdir(at) if f.startswith("test_") and "own.h" in open(at + f).read()]
+    kept = " ".join("-o build/%s%s.o" % (at, f[:-2]) for f in own if f[5:-2] not in groups)
     try:
         for group in groups:
             status, said = run(folder, "make -s -j1 %s test ONLY=%s" % (kept, group))

@@ -1,7 +1,8 @@
 # ssgi_effect.gd - ambient occlusion as a CompositorEffect of Godot 4.3 or later, in the Forward+ renderer.
 #
-# NOT RUN IN GODOT: it is written from Godot's manual, class reference and source. tests/godot.py translates it to Python
-# and runs it with stand-ins for Godot's classes: the uniform block is the library's, bindings and groups the shaders'.
+# NOT RUN IN GODOT: it is written from Godot's manual, class reference and source. tests/examples/godot.py translates it
+# to Python and runs it with stand-ins for Godot's classes: the uniform block is the library's, bindings and groups the
+# shaders'.
 #
 #     build/glsl-text --chain hsao,normal=unsigned,compute=all --vulkan PROJECT/ssgi
 #

@@ -5,7 +5,7 @@
 #define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
-#include "../ssgi_gl.h"
+#include "../../ssgi_gl.h"
 
 /* Call this first, before passes are asked for their rows. The compiler counts the rows, but one pass may have two. */
 static inline int every_pass_has_a_row(void)

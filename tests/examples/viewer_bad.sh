@@ -52,12 +52,12 @@ END
 # Assimp reads models in a process of its own: models that it refuses, passes on, or crashes on, as changes of the
 # triangle. A mesh of 4,000 primitives, used by 4,000 nodes, must not take long: in seconds of processor, with much room
 # for any machine.
-if build/viewer tests/triangle.gltf --env none 2>&1 | grep -q 'reads OBJ alone'; then
+if build/viewer tests/examples/triangle.gltf --env none 2>&1 | grep -q 'reads OBJ alone'; then
     skip 'viewer, models but OBJ: Assimp is missing (apt-get install libassimp-dev)'
 else
     while IFS='|' read -r change words; do
-        sed "$change" tests/triangle.gltf >$work/bad.gltf
-        check "$change changes the triangle" "$(cmp -s tests/triangle.gltf $work/bad.gltf || echo 1)"
+        sed "$change" tests/examples/triangle.gltf >$work/bad.gltf
+        check "$change changes the triangle" "$(cmp -s tests/examples/triangle.gltf $work/bad.gltf || echo 1)"
         refused "$words" $work/bad.gltf </dev/null
     done <<'END'
 $s/}$//|is glTF that cannot be read: it is damaged, or of a version
@@ -77,7 +77,7 @@ END
         /^\{"mesh":0,"translation"/ { often("{\"mesh\":0}"); print "" }
         /"primitives"/ { match($0, /\{"attributes.*"mode":4\}/); printf "\"meshes\":[{\"primitives\":["
                          often(substr($0, RSTART, RLENGTH)); print substr($0, RSTART) }
-        !/"children"|"primitives"/' tests/triangle.gltf >$work/often.gltf
+        !/"children"|"primitives"/' tests/examples/triangle.gltf >$work/often.gltf
     (ulimit -t 20; build/viewer $work/often.gltf --env none 2>$work/said)
     check "viewer, a mesh 4,000 times in 20 s: $(cat $work/said)" "$(grep -q ' or 262144 meshes' $work/said && echo 1)"
 fi
@@ -103,7 +103,7 @@ for m in hsao ssdo; do
 done
 
 runs=${FUZZ:-30}
-sh tests/viewer_fuzz.sh build/viewer-sanitized "$runs" >$work/out
+sh tests/examples/viewer_fuzz.sh build/viewer-sanitized "$runs" >$work/out
 echo "  viewer, damaged files and arguments: $(tail -n 1 $work/out)"
 check "viewer, damaged files and arguments: $(grep -a -A9 FINDING $work/out | head -n 40)" \
     "$(tail -n 1 $work/out | grep -q ' 0 findings$' && echo 1)"

@@ -7,7 +7,7 @@
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "../ssgi.h"
+#include "../../ssgi.h"
 #include "kit/kit_build.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 # Prints names in the headers' comments and in README.md that the headers do not have; then the status is 1.
-#    awk -f tests/names.awk ssgi.h ssgi_gl.h look=1 ssgi.h ssgi_gl.h README.md
+#    awk -f tests/library/names.awk ssgi.h ssgi_gl.h look=1 ssgi.h ssgi_gl.h README.md
 # The first reading collects identifiers, members of structs, and passes. The second one looks at comments, also those
 # in GLSL: at ssgi_*, SSGI_*, paths as desc.gather.samples, headings of groups, and the word that follows "pass".
 

@@ -275,7 +275,7 @@ static void by_hand(void)
     }
 }
 
-/* Checks refusals. Floats that are not finite are tested by tests/nan.c. */
+/* Checks refusals. Floats that are not finite are tested by tests/library/nan.c. */
 static void refused(void)
 {
     static const struct { const char *start; ssgi_plan_scene scene; } bad[] = {

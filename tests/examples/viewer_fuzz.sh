@@ -2,7 +2,7 @@
 # viewer_fuzz.sh - gives the viewer, under sanitizers, randomly damaged arguments and files. viewer.sh runs a few, make
 # viewer-test FUZZ=300 so many. By hand, with a display:
 #
-#   sh tests/viewer_fuzz.sh build/viewer-sanitized 300 [SEED]
+#   sh tests/examples/viewer_fuzz.sh build/viewer-sanitized 300 [SEED]
 #
 # In every case the viewer must end by itself: with status 0, a picture and no output, or with status 2, one line and no
 # picture. Every eighth run draws. The others name an environment that does not exist, so that they end after all else
@@ -16,7 +16,7 @@ export UBSAN_OPTIONS=print_stacktrace=1
 findings=0 drawn=0 refused=0 run=0
 
 # ---- the corpus: a triangle below two nodes; a pentagon that is concave and a triangle, twice; options and values
-cp tests/triangle.gltf $work/a.gltf
+cp tests/examples/triangle.gltf $work/a.gltf
 cat >$work/a.obj <<'END'
 mtllib c.mtl
 v 0 0 0

@@ -1,7 +1,7 @@
 /* arguments.c - calls with bad arguments. Each argument's limits are a row; each limit is broken alone, in every way
    that the argument's kind has. The function must refuse, name the argument and write nothing. Part of group math.
    nan.c includes it, too, and is compiled by other rules of arithmetic: WRONG(format, ..) notes a fault. */
-#include "../ssgi_gl.h"
+#include "../../ssgi_gl.h"
 #include <math.h>
 #include <string.h>
 #ifndef WRONG

@@ -3,7 +3,7 @@
    NaN for a number, so that the library must look at the bits. */
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
-#include "../ssgi_gl.h"
+#include "../../ssgi_gl.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
 /* web-shots.mjs - make web-shots: pictures of the page for examples/docs/pictures/page.
-   node tests/web-shots.mjs [WORD]: only those whose name has the word. */
+   node tests/pages/web-shots.mjs [WORD]: only those whose name has the word. */
 import { mkdirSync, readFileSync } from 'node:fs';
 import { launch, rest, serve, software } from './web-kit.mjs';
 

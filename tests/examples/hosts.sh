@@ -72,7 +72,7 @@ in_browser() {
 shown() {
     host=$1
     shift
-    said=$(node tests/hosts.mjs "$@")
+    said=$(node tests/examples/hosts.mjs "$@")
     check "$host: the console says: $said" "$([ -z "$said" ] && echo 1)"
 }
 
@@ -105,14 +105,14 @@ by_vite() {
 
 if wanted three && in_browser three vite; then
     by_vite three white white,reversed white,samples white,glass sun sun,none ssdo ssdo,bounce ssdo,none
-    cp tests/types.ts build/hosts/three
+    cp tests/pages/types.ts build/hosts/three
     said=$(cd build/hosts/three && ../node_modules/.bin/tsc --noEmit --strict --skipLibCheck --target es2022 \
         --module esnext --moduleResolution bundler types.ts 2>&1)
     check "three: tsc: $said" "$([ -z "$said" ] && echo 1)"
     for of in white white,reversed; do near "three, $of" $work/three-$of.png $work/depth.png $most; done
     near 'three, four samples' $work/three-white,samples.png $work/depth.png 0.02
     check 'three: the sun is dimmed' "$(cmp -s $work/three-sun.png $work/three-sun,none.png && echo 1)"
-    cp tests/three.html build/hosts/three-pass.html
+    cp tests/pages/three.html build/hosts/three-pass.html
     shown 'three, beside RenderPass' build/hosts three-pass.html $work/three-pass.png
     for pair in 'white,glass white' 'ssdo ssdo,none' 'ssdo,bounce ssdo'; do
         set -- $pair
@@ -224,7 +224,7 @@ if wanted godot; then
     if [ -z "$python" ]; then skip 'godot, cffi is missing (apt-get install python3-cffi)'
     else
         build/glsl-text --chain hsao,normal=unsigned,compute=all --vulkan $work/godot >/dev/null
-        said=$($python tests/godot.py $work/godot 2>&1)
+        said=$($python tests/examples/godot.py $work/godot 2>&1)
         check "godot: $said" "$([ "$said" = '4 dispatches' ] && echo 1)"
         said=$(glslangValidator -V $work/godot/multiply.comp -o $work/godot/multiply.spv 2>&1)
         check "godot, its own shader: $said" "$([ -e $work/godot/multiply.spv ] && echo 1)"

@@ -1,7 +1,7 @@
 /* webgpu.mjs - make webgpu-test: WGSL in a browser. Each shader of make glsl WGSL=1 becomes a module, and with its
    other stage a pipeline; browsers refuse words that WGSL reserves, and the tint that translates does not. The page
    examples/hosts/webgpu.html draws with the package of make npm. webgpu-page.mjs compares the pictures of chains.
-   node tests/webgpu.mjs [WORD OF A TEST], from the repository's root; the shaders lie in build/webgpu-test. */
+   node tests/pages/webgpu.mjs [WORD OF A TEST], from the repository's root; the shaders lie in build/webgpu-test. */
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
 import { check, end, launch, note, run, serve, skip, withWebgpu } from './web-kit.mjs';

@@ -1,6 +1,6 @@
 /* web-first.mjs - make web-first: the time of the page's first picture in a browser without a window, with a new
-   profile each time: node tests/web-first.mjs COUNT FOLDER.. Folders take turns, so that other load on the machine
-   affects all. Prints a line for each: median, least and most. */
+   profile each time: node tests/pages/web-first.mjs COUNT FOLDER.. Folders take turns, so that other load
+   on the machine affects all. Prints a line for each: median, least and most. */
 import { launch, serve, software } from './web-kit.mjs';
 
 const [count = 5, ...folders] = process.argv.slice(2), middle = all => all.toSorted((a, b) => a - b)[all.length >> 1];

@@ -66,7 +66,7 @@ equal(all.at(-1).outputs[0].result, 'BOUNCE');
 const computed = ssgi.chain('hsao,dialect=450,compute=ALL,group_width=16,group_height=4');
 deepEqual(ssgi.steps({ ...computed, width: 101, height: 67 }).map(step => step.groups),
           [[4, 9], [4, 9], [7, 17]]);
-const { calls, works } = await import(process.argv[3] + '/tests/web-hostile.mjs');
+const { calls, works } = await import(process.argv[3] + '/tests/pages/web-hostile.mjs');
 for (const [call, says] of calls({ load, Ssgi: ssgi.constructor }, ssgi)) {
     const e = await Promise.resolve().then(call).then(() => null, e => e);
     equal(e?.constructor === Error && (says.test ? says.test(e.message) : says === e.message), true,

@@ -1,7 +1,7 @@
 """godot.py - runs examples/hosts/godot/ssgi_effect.gd in Python, with stand-ins for the classes of Godot. Checks that
 its uniform block is the library's, and that its bindings, images and groups are those of the shaders. For hosts.sh,
 from the repository's root, after make shared.
-      python3 tests/godot.py FOLDER          FOLDER: of build/glsl-text --chain hsao,normal=unsigned,compute=all"""
+      python3 tests/examples/godot.py FOLDER    FOLDER: of build/glsl-text --chain hsao,normal=unsigned,compute=all"""
 import ast, json, math, re, struct, sys
 from types import SimpleNamespace
 import cffi

@@ -300,7 +300,7 @@ static void wasm(void)
     write_text("blocks.c", blocks);
     works("$G others 330 && $G --chain hsao,compute=basic,group_width=16,group_height=4,output_set=3 --vulkan computed"
           " && gcc -I. blocks.c -o blocks -lm && ./blocks >frame.bin");
-    works("node $T/tests/wasm.mjs $T/build/wasm $T");
+    works("node $T/tests/pages/wasm.mjs $T/build/wasm $T");
 }
 
 /* Checks that other tools can use the packages of make install and make npm. */
@@ -1236,7 +1236,7 @@ static int compiled_again(void)
 static void edits(void)
 {
     static const struct { const char *edit; int least, most; } cases[] = {
-        { "$s/$/ /", 2, 8 },                               /* behind the declarations: library_gl.o, tests/own.h */
+        { "$s/$/ /", 2, 8 },                               /* behind the declarations: library_gl.o, own.h */
         { "s/END OF HEADER/& /", 40, 400 } };              /* in the declarations: all that include kit_gl.h */
     char line[300];
     works("mkdir -p tree/build && cp -rs $T/Makefile $T/*.h $T/examples $T/tests tree && cd $T/build && "

@@ -148,7 +148,7 @@ done
 begin room --size 320x180 --scale 1 --panel 0 --set history=0
 ask
 whole=$line
-cp tests/triangle.gltf "$work/it's a triangle.gltf"
+cp tests/examples/triangle.gltf "$work/it's a triangle.gltf"
 printf 'nothing' >$work/broken.glb
 printf '#?RADIANCE\nFORMAT' >$work/broken.hdr
 printf 'v 0 0 0\n' >$work/empty.obj

@@ -1,14 +1,14 @@
 /* web.mjs - make web-test: the shaders of WebGL 2, and the page of make web, in a browser without a window.
-   node tests/web.mjs [WORD OF A TEST], from the repository's root after make web. */
+   node tests/pages/web.mjs [WORD OF A TEST], from the repository's root after make web. */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, statSync, readdirSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { isDeepStrictEqual } from 'node:util';
-import { exr } from '../examples/web/exr.mjs';
+import { exr } from '../../examples/web/exr.mjs';
 import { resolutions, lookOf, looks, methods, normals, presets, read, settings, shadows, thicknesses, views,
-         write } from '../examples/web/settings.mjs';
-import { skies } from '../examples/web/sky.mjs';
+         write } from '../../examples/web/settings.mjs';
+import { skies } from '../../examples/web/sky.mjs';
 import { check, end, launch, note, rest, run, serve, software } from './web-kit.mjs';
 import { draco, glowingWedge, hdr, indexed, models, wedge } from './web-hostile.mjs';
 

@@ -45,9 +45,9 @@ else
     be=$(build/render room --size 240x136 --score $work/truth.exr | sed -n 's/.*: RMSE \([0-9.]*\).*/\1/p')
     echo "  viewer, error to its own truth: $is; build/render: $be"
     check 'viewer, error to the truth' "$(is "${is:-0} * ${be:-0} > 0 && (${is:-0} - ${be:-0}) ^ 2 < 9e-6")"
-    if [ -x build/press ]; then . tests/viewer_keys.sh
+    if [ -x build/press ]; then . tests/examples/viewer_keys.sh
     else skip 'viewer, keys and drops: python3-xlib is missing (apt-get install python3-xlib)'; fi
-    . tests/viewer_bad.sh
+    . tests/examples/viewer_bad.sh
 fi
 
 finish

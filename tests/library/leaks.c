@@ -2,7 +2,7 @@
    compiles it for processors that fuse multiply and add, and with -ffast-math. */
 #define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
-#include "../ssgi.h"
+#include "../../ssgi.h"
 
 #include <stdio.h>
 #include <stdlib.h>

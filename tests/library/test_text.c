@@ -819,7 +819,7 @@ static void closed(void)
 
 /* ---- >>lint ------------------------------------------------------------------------------------------------------ */
 
-/* The words of tests/reserved.txt, each between blanks, without those that the shaders use as GLSL means them. */
+/* The words of reserved.txt, each between blanks, without those that the shaders use as GLSL means them. */
 static char reserved_words[1 << 14];
 
 static int reserved_words_read(void)
@@ -831,7 +831,7 @@ static int reserved_words_read(void)
         "texture2DArray texture2DMS texture2DMSArray utexture2D utexture2DArray ";
     char path[4096], line[256], word[64];
     size_t used = 1;
-    snprintf(path, sizeof path, "%s/tests/reserved.txt", t_root);
+    snprintf(path, sizeof path, "%s/tests/library/reserved.txt", t_root);
     FILE *file = fopen(path, "r");
     if (!file) return 0;
     reserved_words[0] = ' ';
@@ -875,7 +875,7 @@ static void lint(void)
     static set_of lines;
     if (!CHECK(reserved_words_read() && reserved("from", 4) && reserved("lineadj", 7) && reserved("kernel", 6)
                    && reserved("float3x4", 8) && reserved("hvec3", 5) && !reserved("ssgi", 4),
-               "tests/reserved.txt cannot be read"))
+               "tests/library/reserved.txt cannot be read"))
         return;
     for (int i = 0; i < texts; ++i) {
         const char *c = source_of(text, &spoken[i].desc, spoken[i].stage);
@@ -1206,11 +1206,11 @@ static void every_line(void)
             const int length = (int)((guard ? guard - 4 : end) - line);
             snprintf(line_of, sizeof line_of, "%.*s", length, line);
             CHECK(had(&lines, line_of, strlen(line_of)), "%s: no text that is compiled has \"%s\": it cannot be "
-                  "reached, or by values that no variant has (tests/test_text.c, >>variants)", c->name, line_of);
+                  "reached, or by values that no variant has (test_text.c, >>variants)", c->name, line_of);
         }
     }
     for (int r = 0; r < SSGI_GL__ROWS; ++r)
-        CHECK(met[r], "row %s, \"%.40s\": no text that is compiled has it (tests/test_text.c, >>variants)",
+        CHECK(met[r], "row %s, \"%.40s\": no text that is compiled has it (test_text.c, >>variants)",
               ssgi_gl__rows[r].io.name, ssgi_gl__rows[r].io.format);
 }
 
@@ -1273,7 +1273,7 @@ static void every_pass(void)
         /* surfels fills a buffer of yours, once */
         CHECK(drawn_ >> pass & 1 || pass == SSGI_GL_PASS_SURFELS,
               "%s: ssgi_gl_steps never draws it: ssgi_gl.h, >>steps, "
-              "and a chain that asks for it in drawn_passes (tests/test_text.c)",
+              "and a chain that asks for it in drawn_passes (tests/library/test_text.c)",
               name);
         CHECK(!system(command), "%s: no group of tests judges it: add a case to twins or steps", name);
     }

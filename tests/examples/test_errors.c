@@ -1,6 +1,6 @@
-/* test_errors.c - each method of build/render keeps its error within its bound in tests/errors.csv, so that no default
-   gets worse unnoticed. Errors are RMSE, of light over its mean; noise is the truth's. A row is repeated by hand so,
-   with its settings also for the truth if TRUTH is METHOD, and with --still 16 if frames are averaged:
+/* test_errors.c - each method of build/render keeps its error within its bound in tests/examples/errors.csv, so that no
+   default gets worse unnoticed. Errors are RMSE, of light over its mean; noise is the truth's. A row is repeated by
+   hand so, with its settings also for the truth if TRUTH is METHOD, and with --still 16 if frames are averaged:
 
      build/render SCENE [--env ENV] [--light LIGHT] [--radius RADIUS] --size SIZE --method TRUTH --truth RAYS \
        --out t.exr
@@ -142,7 +142,7 @@ static void complete(void)
     for (int i = 0; kit_method_at(&m, i); ++i) {
         int at = 0;
         while (at < rows.rows && strcmp(cell(at, "method"), m.name)) ++at;
-        rowless += !CHECK(at < rows.rows, "%s has no row in tests/errors.csv: copy that of its nearest relative",
+        rowless += !CHECK(at < rows.rows, "%s has no row in errors.csv: copy that of its nearest relative",
                           m.name);
     }
 }

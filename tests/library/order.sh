@@ -10,7 +10,7 @@ perl -0pe '
     "$1/ssgi_gl.h" >turned/ssgi_gl.h
 grep -q 'SSGI_GL_PASS_SSAO,' turned/ssgi_gl.h && grep -q 'HSAO SSAO"' turned/ssgi_gl.h
 for headers in "$1" turned; do
-    gcc -std=c99 -I"$headers" "$1/tests/order.c" -o order -lm
+    gcc -std=c99 -I"$headers" "$1/tests/library/order.c" -o order -lm
     ./order | sort >"order-$(basename "$headers")"
 done
 grep -q '; change_share ' "order-$(basename "$1")"

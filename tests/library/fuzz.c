@@ -1,11 +1,11 @@
 /* fuzz.c - calls the library with random bytes as descs, chains, projections, cameras, environments, harmonics, lights,
    triangles, surfels, fields and plans. Has an entry for libFuzzer, and a main that makes the bytes itself.
 
-     clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
-     cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
+     clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/library/fuzz.c -lm -o fuzz && ./fuzz
+     cc -g -O1 -fsanitize=address,undefined tests/library/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
-#include "../ssgi_gl.h"
+#include "../../ssgi_gl.h"
 
 #include <math.h>
 #include <stdio.h>

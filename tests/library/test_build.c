@@ -88,12 +88,13 @@ static void names(void)
         { "ssgi_gl_frame_history except", "ssgi_gl_history except" }
     };
     char text[4000], line[400];
-    CHECK(!shell(text, sizeof text, "f='ssgi.h ssgi_gl.h' && awk -f '%s/tests/names.awk' $f look=1 $f '%s/README.md'",
+    CHECK(!shell(text, sizeof text, "f='ssgi.h ssgi_gl.h' && awk -f '%s/tests/library/names.awk' $f look=1 $f "
+                 "'%s/README.md'",
                  t_root, t_root), "no such name: %s", text);
     for (size_t i = 0; i < sizeof stale / sizeof *stale; ++i) {
         snprintf(line, sizeof line,
                  "sed 's/%s/%s/' ssgi_gl.h >stale.h && ! cmp -s stale.h ssgi_gl.h && f='ssgi.h stale.h' "
-                 "&& ! awk -f '%s/tests/names.awk' $f look=1 $f",
+                 "&& ! awk -f '%s/tests/library/names.awk' $f look=1 $f",
                  stale[i][0], stale[i][1], t_root);
         CHECK(!shell(text, sizeof text, "%s%s", line, ""), "%s is taken: %s", stale[i][1], text);
     }
@@ -105,9 +106,9 @@ static void hosts(void)
 {
     static const struct {
         const char *compiler, *how;
-    } modes[] = { { "gcc", "-std=c99 -include \"$root/tests/macros.h\"" },
+    } modes[] = { { "gcc", "-std=c99 -include \"$root/tests/library/macros.h\"" },
                   { "clang++", "-std=c++17 -xc++ " MSVC },           /* the modes from here on are for T_ALL */
-                  { "g++", "-std=c++11 -xc++ -include \"$root/tests/macros.h\"" },
+                  { "g++", "-std=c++11 -xc++ -include \"$root/tests/library/macros.h\"" },
                   { "x86_64-w64-mingw32-gcc", "-std=c99 -include windows.h" },
                   { "x86_64-w64-mingw32-g++", "-std=c++17 -xc++ -include windows.h" },
                   { "clang", "-std=c11 " MSVC },
@@ -126,7 +127,7 @@ static void hosts(void)
 static void order_of_passes(void)
 {
     char text[4000];
-    CHECK(!shell(text, sizeof text, "sh '%s/tests/order.sh' '%s'", t_root, t_root),
+    CHECK(!shell(text, sizeof text, "sh '%s/tests/library/order.sh' '%s'", t_root, t_root),
           "the order of passes: something compares passes by it: %s", text);
 }
 
@@ -337,7 +338,7 @@ static void fuzz(void)
     char text[4000];
     int status = shell(text, sizeof text,
                        "gcc -O1 -DSSGI_STATIC -I. -fsanitize=address,undefined -fno-sanitize-recover=all "
-                       "'%s/tests/fuzz.c' -o fuzz -lm && ./fuzz 24000%s", t_root, "");
+                       "'%s/tests/library/fuzz.c' -o fuzz -lm && ./fuzz 24000%s", t_root, "");
     CHECK(!status, "random inputs under address and undefined-behaviour sanitizers: %s", text);
 }
 
@@ -357,8 +358,8 @@ static void programs(const char *name, const program_mode *mode, size_t count)
             t_note("%s %s: not tried, nothing can be made or run by it here", mode[i].how, mode[i].run);
             continue;
         }
-        snprintf(line, sizeof line, "%s '%s/tests/%s.c' -o program -lm && %s ./program %s", mode[i].how, t_root, name,
-                 mode[i].run, mode[i].arguments);
+        snprintf(line, sizeof line, "%s '%s/tests/library/%s.c' -o program -lm && %s ./program %s", mode[i].how, t_root,
+                 name, mode[i].run, mode[i].arguments);
         CHECK(!shell(text, sizeof text, "%s%s", line, ""), "%s: %s", line, text);
     }
 }
@@ -411,9 +412,9 @@ static void formatted(void)
 static void surroundings(void)
 {
     static const struct { const char *folders; int most; } rows[] = {
-        { "tests", 26663 },         { "examples/lab", 16551 },
+        { "tests", 26660 },         { "examples/lab", 16551 },
         { "examples/kit", 16238 },  { "examples/tools", 5829 },
-        { "Makefile", 566 },        { "examples/web examples/viewer examples/hosts", 10103 }
+        { "Makefile", 568 },        { "examples/web examples/viewer examples/hosts", 10104 }
     };
     char text[400];
     if (shell(text, sizeof text, "p=$(git -C '%s' rev-parse --show-prefix 2>/dev/null) && test -z \"$p\"%s", t_root,
