@@ -217,7 +217,8 @@ bench: build/bench | page-deps
 # The visible noise of the presets and of the effects that make peers installed. For other entries: build/quiet --scene
 # room hsao hsao:samples=12.
 quiet: build/quiet | page-deps
-	build/quiet
+	build/quiet --out report/quiet.csv
+	@$(FIGURES)
 
 # Builds a revision's build/render from its own sources, under build/old, once. METHOD="hsao ssdo": those rows, or all
 # whose names begin so. Status 1: a row breaks a limit, see examples/docs/CONTRIBUTING.md.

@@ -10,11 +10,11 @@ record=examples/docs/figures/parts.csv
 
 # The parts, their minutes on two cores, and the targets that make them.
 parts='
-cost       6 cost
-cost-peers 2 cost-peers
-quiet      4 quiet
+cost       1 cost
+cost-peers 1 cost-peers
+quiet      3 quiet
 failures   5 failures
-fields     5 chart OF=fields
+fields     3 chart OF=fields
 deep      12 chart OF=deep
 lit       20 chart OF=lit
 ambient   25 chart OF=ambient

@@ -164,7 +164,7 @@ void test_errors(void)
 {
     const char *const out = getenv("T_ERRORS");
     FILE *f = NULL;
-    rows = csv_read_in("tests", "errors.csv");
+    rows = csv_read_in("tests/examples", "errors.csv");
     RUN("every method has a bound", complete);
     if (out && rowless) return;            /* a method without a row: writes no figures */
     if (!TRY(kit_gl_open(NULL, &err))) return;

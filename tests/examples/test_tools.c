@@ -1187,7 +1187,7 @@ static void bench_fits(const char *plan)
         || !CHECK(sscanf(said, "2\n%d\n%299[^\n]\n%299[^\n]", &choice, was, is) == 3
                       && choice == SSGI_PLAN_CHOICES, "fit: %s", said))
         return;
-    const char *const costs = "  SSGI__P(V, HSAO, WIDTH, 1, 2, 6, 0, 0, 0, 0, %lff, %lff";
+    const char *const costs = "  SSGI__P(V, HSAO, WIDTH, 1, 1, 8, 0, 0, 0, 0, %lff, %lff";
     CHECK(sscanf(was, costs, &before[0], &before[1]) == 2 && sscanf(is, costs, &after[0], &after[1]) == 2
           && after[0] == before[0] && fabs(after[1] / cost - 1) < 0.05, "measured %g: %s became %s", cost, was, is);
 }

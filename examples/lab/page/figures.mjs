@@ -427,7 +427,7 @@ async function draw(into) {
     const fine = found(report.records.quiet, 'quiet').map(r => ({
         ...r,
         label: r.method,
-        _ms: r.ms,
+        _ms: r.ms ?? modelled({ ...r, label: r.method }),
         grain: 1e3 * r.truth_seen
     }));
     const panels = [

@@ -156,7 +156,7 @@ const sides = [{ dx: 8, dy: 0, textAnchor: 'start' }, { dx: -8, dy: 0, textAncho
 function placed(names, points, at, width) {
     const taken = points.map(r => ({ left: at(r)[0] - 4, right: at(r)[0] + 4, top: at(r)[1] - 4, low: at(r)[1] + 4 }));
     return names.map(r => {
-        const [x, y] = at(r), wide = 6.3 * String(r.label).length;
+        const [x, y] = at(r), wide = 7.3 * String(r.label).length;
         const boxes = sides.map(({ dx, dy, textAnchor: a }) => {
             const left = x + dx - wide * { start: 0, middle: 0.5, end: 1 }[a];
             return { left, right: left + wide, top: y + dy - 6, low: y + dy + 6 };

@@ -10,6 +10,9 @@
     file = folder "/" substr($0, RSTART + 2, RLENGTH - 2) ".glsl"
     printf "" >file
 }
+# Macros of C that write GLSL: their lines are not GLSL.
+/^#(define|undef) / || macro { macro = /\\$/; next }
+/^SSGI_GL_[A-Z_]+\(/ { next }
 /^\{ "/ {
     condition = ""
     if (split($0, part, "\"") > 3) condition = part[4]
