@@ -72,7 +72,7 @@ in_browser() {
 shown() {
     host=$1
     shift
-    said=$(node tests/examples/hosts.mjs "$@")
+    said=$(node tests/pages/hosts.mjs "$@")
     check "$host: the console says: $said" "$([ -z "$said" ] && echo 1)"
 }
 

@@ -1,6 +1,6 @@
 /* hosts.mjs - pictures of pages of examples/hosts in Chromium without a window, after their size has changed. Prints
    the errors of their consoles. For hosts.sh, from the repository's root.
-      node tests/examples/hosts.mjs FOLDER PAGE PICTURE.png .. */
+      node tests/pages/hosts.mjs FOLDER PAGE PICTURE.png .. */
 import { launch, serve, withWebgpu } from './web-kit.mjs';
 
 const [folder, ...pairs] = process.argv.slice(2), root = await serve(folder);
