@@ -15,9 +15,9 @@ cost-peers 1 cost-peers
 quiet      3 quiet
 failures   5 failures
 fields     3 chart OF=fields
-deep      12 chart OF=deep
-lit       20 chart OF=lit
-ambient   25 chart OF=ambient
+deep       3 chart OF=deep
+lit        3 chart OF=lit
+ambient   30 chart OF=ambient
 stability 30 stability
 papers    25 papers
 light     25 light
