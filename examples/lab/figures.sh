@@ -20,7 +20,7 @@ lit        3 chart OF=lit
 ambient   30 chart OF=ambient
 stability 30 stability
 papers    25 papers
-light     25 light
+light      5 light
 plan      20 chart OF=plan
 seeds     65 seeds
 '
