@@ -407,7 +407,8 @@ format:
 clean:
 	rm -rf build report
 
-.PHONY: figures figures-check page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
+.PHONY: page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
+        figures figures-check \
         chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
         cost-record cost-shares cost-plan cost-papers glsl mutants failures deps unlisted shared format clean
 

@@ -1022,7 +1022,7 @@ enum {
                                       1920x1080 */
 };
 
-/* The values of plan_scene.unit: of what plan_scene.error is a number. */
+/* The values of plan_scene.unit: the unit of plan_scene.error. */
 enum {
     SSGI_PLAN_UNIT_RMSE = 0, /* the measure of `wanted` itself */
     SSGI_PLAN_UNIT_RELATIVE  /* that measure over its value for an image without occlusion: 0.4 is 40 %. The planner
@@ -1123,8 +1123,8 @@ typedef struct ssgi_plan {
     int choice;  /* this plan's */
     int cheaper; /* the best that costs a twentieth less than this plan, or still less; -1: there is none */
     int dearer;  /* the cheapest whose error is a twentieth smaller, or still smaller; -1: there is none */
-    char
-        why[512]; /* sentences: the settings, their error and cost, what of the scene decides, and both other choices */
+    /* sentences: the settings, their error and cost, the property of the scene that decides, both other choices */
+    char why[512];
 } ssgi_plan;
 
 /* Makes a plan: the cheapest choice that meets the error. If none does, it is the cheapest within 5 % of the best, with
@@ -1134,8 +1134,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scen
 
 /* Writes the planner's choice number i, of SSGI_PLAN_CHOICES, with its predicted error and cost for a scene (whose
    numbers are not checked), meets 0, no other choices and an empty `why`. Returns 1 with *plan filled. Returns 0
-   with *plan untouched past the last choice, for NULL, and if the choice does not serve scene->wanted, needs what the
-   scene does not give, or uses the light's directions though they would gain too little. */
+   with *plan untouched past the last choice, for NULL, and if the choice does not serve scene->wanted, needs a value
+   that the scene does not give, or uses the light's directions though they would gain too little. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 
 enum { SSGI_PLAN_CHOICES = 55 };
@@ -5139,7 +5139,7 @@ SSGI__FN char *ssgi__plan_price(char *at, const ssgi_plan *plan, const ssgi_plan
                              s->device == SSGI_PLAN_DEVICE_RX_6800 ? " ms" : " ssaos");
 }
 
-/* Appends the sentence on what of the scene decides. Returns the address behind it. */
+/* Appends the sentence that names the property of the scene which decides. Returns the address behind it. */
 SSGI__FN char *ssgi__plan_reason(char *at, const ssgi_plan *plan, const ssgi_plan_scene *s)
 {
     const float *energy = ssgi__plan_energy(s);
@@ -5370,7 +5370,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    "s3ho" ("s3ho,transfer=direct,packed_coefficients=0,restore=ratio"). PASS,PRESET is NAME,PRESET: "dss,best", not
    "splat,best".
 
-   New: pass debug, by the method's name "debug" or chain.desc.pass, shows what is wrong with depth, normals and the
+   New: pass debug, by the method's name "debug" or chain.desc.pass, paints the faults of depth, normals and the
    block, a colour a fault: ssgi_gl_fault_at, SSGI_GL_FAULTS.
 
    New fields: gather.facets seeks occluders above the facets that depth shows, where smooth normals on coarse meshes

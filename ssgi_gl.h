@@ -85,7 +85,7 @@
                 change_mask   finds occluders that came or went, by their depth, in tiles of 8x8 pixels
                 change_share  finds their share of the surfaces within the radius: the larger it is, the fewer frames
                               history averages
-                debug         shows what is wrong with the inputs: see ssgi_gl_fault
+                debug         paints the faults of the inputs: see ssgi_gl_fault
 
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
@@ -1122,7 +1122,7 @@ typedef struct ssgi_gl_fault {
     const char *name;     /* "BLOCK" */
     const char *colour;   /* "magenta" */
     float rgb[3];         /* as the pass writes it */
-    const char *sentence; /* what is wrong, and where to look */
+    const char *sentence; /* the fault, and where to look */
 } ssgi_gl_fault;
 
 /* Returns fault number i; NULL past the last. */
@@ -1146,7 +1146,7 @@ SSGI_DEF ssgi_gl_bound ssgi_gl_bound_of(unsigned target, unsigned internal, int 
                                         unsigned magnify, unsigned compare);
 
 /* For debug builds: writes a sentence on the first fault of a draw, which names step, texture, its unit (VULKAN: set
-   and binding), and what it must be. It works like snprintf, and returns 0 if there is no fault.
+   and binding), and the right value. It works like snprintf, and returns 0 if there is no fault.
      inputs     the texture that is bound for each of step->inputs; NULL: they are not checked
      targets    the target of each of step->outputs; NULL: they are not checked */
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound *inputs,
@@ -6036,7 +6036,7 @@ SSGI_GL_FAULTS(SSGI_GL__FAULT_COLOUR)
 
 { "ssgi_block_is_sound", NULL, __LINE__ + 1,
     "bool ssgi_block_is_sound() { // whether the uniforms are a ssgi_gl_frame, and not zeros or other bytes\n"
-    "    // unproject takes back what project does, whatever the camera.\n"
+    "    // unproject inverts project, whatever the camera.\n"
     "    vec2 off = abs(u_ssgi_project.xy * u_ssgi_unproject.xy - 1.0);\n"
     "    bool camera = max(off.x, off.y) < 0.001 && u_ssgi_size.x > 0 && u_ssgi_size.y > 0;\n"
     "#if SSGI_DEPTH == SSGI_DEPTH_WINDOW\n"

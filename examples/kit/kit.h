@@ -66,9 +66,10 @@ void   kit_json_number(FILE *out, double v, int decimals);
    `indent`. */
 void   kit_print_words(const char *text, int column, int indent, int most);
 /* A row of a program's command line, of its --help, or of both; the last has neither name nor text. A row without a
-   name is a paragraph. `at` is the offset of the member that takes the value, whose type follows from the kind; FLAG: an int
-   that becomes 1; NUMBERS: `least` doubles; SIZE: int[2]; LIST: const char *[], `said` counts them up to `most`;
-   otherwise `said`, unless 0, is an int that becomes 1; TAKEN: take() reads it; TOLD: the row is help alone. */
+   name is a paragraph. `at` is the offset of the member that takes the value. Its type follows from the kind. FLAG: an
+   int that becomes 1. NUMBERS: `least` doubles. SIZE: int[2]. LIST: const char *[], whose number, up to `most`, stands
+   at offset `said`. With other kinds the int at `said`, unless that is 0, becomes 1. TAKEN: take() reads the value.
+   TOLD: the row is help alone. */
 typedef struct kit_option {
     const char *name, *value, *about;
     enum { KIT_TOLD, KIT_FLAG, KIT_TEXT, KIT_WHOLE, KIT_NUMBER, KIT_NUMBERS, KIT_SIZE, KIT_LIST, KIT_TAKEN } kind;

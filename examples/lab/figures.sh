@@ -25,27 +25,35 @@ plan      20 chart OF=plan
 seeds     65 seeds
 '
 
-# The figures depend on the shaders of all chains and on the code of ssgi.h; only those of the planner on its room.
-# Comments and line breaks do not count.
-code() {
+# Prints two hashes of the shaders of all chains and of the code of ssgi.h: without the planner's room, on which only its
+# own figures depend, and with it. Comments and line breaks do not count.
+hashes() {
     folder=$(mktemp -d)
     build/glsl-text --chain all --450 "$folder" >/dev/null
     rm -f "$folder"/manifest.json "$folder"/debug*
-    awk -v kept="$1" '/^\/\* ==== / { plan = />>plan / } !plan || kept == "plan"' ssgi.h >"$folder/ssgi.h"
-    cat "$folder"/* | awk 'BEGIN { RS = "\001" } {
+    awk '/^\/\* ==== / { plan = />>plan / } !plan' ssgi.h >"$folder/ssgi.h"
+    without=$(hash_of "$folder")
+    cp ssgi.h "$folder"
+    echo "$without $(hash_of "$folder")"
+    rm -r "$folder"
+}
+hash_of() {
+    cat "$1"/* | awk 'BEGIN { RS = "\001" } {
         gsub(/\/\*([^*]|\*+[^*\/])*\*+\//, " ")
         gsub(/\/\/[^\n]*/, "")
         gsub(/[ \n]+/, " ")
         print
     }' | sha256sum | cut -c1-12
-    rm -r "$folder"
 }
 
+read -r code plan <<END
+$(hashes)
+END
 case $1 in
---hash) code; exit ;;
+--hash) echo "$code"; exit ;;
 --check)
     test -e "$record" || record=/dev/null
-    echo "$parts" | awk -v other="$(code)" -v plan="$(code plan)" '
+    echo "$parts" | awk -v other="$code" -v plan="$plan" '
         FILENAME != "-" { split($0, field, ","); code[field[1]] = field[2]; next }
         NF && (now = $1 == "plan" ? plan : other) && code[$1] != now {
             print "figures-check: " $1 " is of code " (code[$1] ? code[$1] : "(none)") ", not of " now
@@ -55,8 +63,6 @@ case $1 in
     exit ;;
 esac
 
-code=$(code)
-plan=$(code plan)
 for part in "$@"; do
     echo "$parts" | grep -q "^$part " || {
         echo "figures: PART=$part: there is none (have:$(echo "$parts" | awk '{ printf " %s", $1 }'))" >&2

@@ -290,7 +290,8 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     const int width = run->lit ? g->viewport[2] : last->width, height = run->lit ? g->viewport[3] : last->height;
     kit_image image;
     int failed;
-    if (kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : coloured(run) ? "R,G,B" : "Y", err)) return -1;
+    const char *const channels = run->lit ? KIT_LIT_CHANNELS : coloured(run) ? "R,G,B" : "Y";
+    if (kit_image_new(&image, width, height, channels, err)) return -1;
     failed = run->light && read_planes(run, run->light, &image, run->lit ? 3 : 0, 0);
     if (run->lit && run->bounce) {
         failed = failed || read_planes(run, run->bounce, &image, 6, 0);

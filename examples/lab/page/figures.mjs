@@ -328,9 +328,9 @@ function write(path, text) {
     renameSync(`${path}.part`, path);
 }
 /* Returns a record; for a part of the chart the newer one of its own and the chart's. */
+const of_chart = ['ambient', 'lit', 'fields', 'deep', 'seeds', 'plan'];
 function records(name) {
-    const own = report.records[name],
-        whole = csv[name]?.some(file => file.startsWith('chart') || csv.chart.includes(file)) && report.records.chart;
+    const own = report.records[name], whole = of_chart.includes(name) ? report.records.chart : null;
     return !whole || own?.made > whole.made ? own : whole;
 }
 const origin = r => `*\`${r.command}\`, commit ${r.commit}, ${r.cores} cores (${r.processor}), ${r.driver}*`;

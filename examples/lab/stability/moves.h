@@ -12,7 +12,7 @@ enum { MOST_MOVES = 24 };
 typedef struct moves_options {
     const char *scene[MOST_MOVES + 1], *method[MOST_MOVES + 1], *kind[MOST_MOVES + 1];
     int scenes, methods, kinds;                /* that the command line named */
-    int width, rays, from, quick, count, moves;
+    int width, rays, from, quick, count;
 } moves_options;
 
 /* Asks for the kinds of frames that a host makes: a camera that stands, jitter, changes of size, uneven time. */

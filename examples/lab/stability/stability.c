@@ -115,7 +115,7 @@ static const kit_option options[] = {
     { "--out", "FOLDER", "The folder to write into [report].", .kind = KIT_TEXT, .at = offsetof(sweep_options, out) },
     { .about = "With --moves it prints a table instead: how steady methods are while a camera moves past things "
                "that stand still. --scene, --method and --kind may be given several times." },
-    { "--moves", NULL, "Must be the first argument.", .kind = KIT_FLAG, MOVES(moves) },
+    { "--moves", NULL, "Must be the first argument.", .kind = KIT_TOLD },
     { "--scene", "NAME", "That scene alone.",
       LIST_OF(scene, scenes) },
     { "--method", "METHOD", "That method alone. Settings may follow: hsao:samples=12.",
@@ -143,7 +143,7 @@ static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
 static int parse_moves(moves_options *o, int argc, char **argv, kit_error *err)
 {
     *o = (moves_options){ .width = 640, .rays = 64 };
-    return kit_options(o, options + OF_SWEEPS, argc, argv, NULL, err);
+    return kit_options(o, options + OF_SWEEPS, argc - 1, argv + 1, NULL, err);   /* behind --moves */
 }
 
 int main(int argc, char **argv)
