@@ -5392,10 +5392,11 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    software, and has the exit status 1 if no choice meets the error. The choices are today's presets, with hsao-quarter;
    predictions of visibility were fitted to them anew.
 
-   Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST and the methods s3ho and
-   s3ho-fast have that filter, too. After a gather at half resolution a filter of radius 2 is a tent of 5.5 pixels
-   without its corners. Set filter.radius = 1 and gather.samples = 6 to draw as 0.4 did. With chain.history radius 1
-   suffices, as hsao-history has it. Pass thickness reads no normals.
+   Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST and BEST, the methods
+   ssdo-best, dss and those of s3ho have that filter, too. After a gather at half resolution a filter of radius 2 is a
+   tent of 5.5 pixels without its corners, at full resolution 5x5 pixels whose border counts half. Set filter.radius = 1
+   and gather.samples = 6 to draw as 0.4 did. With chain.history radius 1 suffices, as hsao-history has it. Pass
+   thickness reads no normals.
 
    GLSL has whole words instead of letters, and one quantity a line: shaders compute the same. If your own GLSL
    reads coefficients: ssgi_coefficients.c is now .channel, and the members a to d of ssgi_sh are word0 to word3. Your
