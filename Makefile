@@ -169,7 +169,7 @@ seeds: build/report build/glsl-text | page-deps
 NPM = npm install --no-save --ignore-scripts --no-audit --no-fund --silent --prefix
 
 # Effects of other libraries from npm, which the next make chart measures; none is part of the library. make cost-peers
-# models their costs on a GPU.
+# models their costs on a GPU; XEGTAO=FOLDER, a checkout of XeGTAO: and its passes, beside its published times.
 PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
 peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
@@ -241,7 +241,8 @@ cost cost-test cost-record cost-shares cost-plan cost-papers cost-peers: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h spirv_cross/spirv_cross_c.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
-	$(MAKE) -s --no-print-directory build/cost page-deps && build/cost $(if $(filter cost,$@),\
+	$(MAKE) -s --no-print-directory build/cost page-deps && $(if $(XEGTAO),sh examples/lab/cost/xegtao.sh '$(XEGTAO)' &&) \
+	  build/cost $(if $(filter cost,$@),\
 	  $(SINCE:%=--against %) $(ONLY) $(if $(ONLY),,&& { $(FIGURES); }),--$(patsubst test,check,$(@:cost-%=%)))
 # The shaders of every pass, dialect and choice, as plain files; manifest.json lists the files that belong together.
 # make glsl WGSL=1 HLSL=1 MSL=1 SPV=1 also translates the vulkan shaders, in five minutes; each needs a tool, which is

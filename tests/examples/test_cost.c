@@ -248,6 +248,14 @@ static void model_by_hand(void)
     }
 }
 
+/* Checks modelled over published times: the ratios are 1/2, 2 and 8. */
+static void published_by_hand(void)
+{
+    static const double modelled[] = { 1, 6, 4 }, published[] = { 2, 3, 0.5 };
+    const trust t = trust_of(modelled, published, 3);
+    CHECK(fabs(t.mean - 2) < 1e-9 && t.least == 0.5 && t.most == 8, "%g, from %g to %g", t.mean, t.least, t.most);
+}
+
 /* Checks csv_put: cells with commas and quotes; columns by keys, without empty ones; a selection of rows. */
 static void tables_put(void)
 {
@@ -277,5 +285,6 @@ void test_cost(void)
     RUN("a share is of the gather that is most alike; of each body one is recorded", shares_recorded);
     RUN("texts have the lines that shares are told at", texts_have_bodies);
     RUN("milliseconds are those of the slowest of four", model_by_hand);
+    RUN("the model is compared with published times by ratios and their geometric mean", published_by_hand);
     RUN("a table is put by its keys, as csv and to be read", tables_put);
 }

@@ -10,6 +10,7 @@
 #include "lab/cost/plan.h"
 #include "lab/cost/sheets.h"
 #include "lab/cost/show.h"
+#include "lab/cost/xegtao.h"
 #include "lab/measure/folder.h"
 #include "lab/page/page.h"
 #include "tools/glsl/chains.h"
@@ -59,24 +60,26 @@ static int take_chain(void *to, const char *text, kit_error *err)
 static int add_work(work *w, const asked *a, kit_error *err)
 {
     if (a->plan) return plan_add(w, err);
-    if (a->peers) return peers_add(w, err);
+    if (a->peers) return peers_add(w, err) || xegtao_add(w, err);
     if (a->papers) return sheets_add(w, err);
     for (int i = 0; !a->some && chain_at(i); ++i)
         if (work_add_chain(w, chain_at(i), err)) return -1;
     return 0;
 }
 
-static int write_record(page *table, const char *driver, int peers, kit_error *err)
+static int write_record(page *table, const work *w, int peers, kit_error *err)
 {
     const char *const name = peers ? "cost-peers" : "cost", *const command = peers ? "build/cost --peers" : "make cost";
     char file[32];
     page record;
     snprintf(file, sizeof file, "%s.csv", name);
-    if (folder_make("report", err) || page_begin(&record, name, "full", command, driver, err)) return -1;
+    if (folder_make("report", err) || page_begin(&record, name, "full", command, w->driver, err)) return -1;
     page_heading(record.file, 2, "What passes%s cost, modelled", peers ? " of others" : "");
     page_paragraph(record.file, "A compiler's count of the instructions of every pass, and milliseconds of a few "
                                 "devices by a model of theirs, at 1920x1080, the G-buffer of room.");
-    return page_csv(record.file, "cost", table, "report", file, err) || page_end(&record, "report", name, err) ? -1 : 0;
+    return page_csv(record.file, "cost", table, "report", file, err) ||
+           (peers && xegtao_published(record.file, w, err)) ||
+           page_end(&record, "report", name, err) ? -1 : 0;
 }
 
 static int write_shares(kit_error *err)
@@ -117,13 +120,14 @@ static int run(work *w, const asked *a, kit_error *err)
     if (a->papers) return write_papers(w, err);
     if (page_open(&table, err)) return -1;
     write_costs(table.file, w);
+    if (a->peers) xegtao_keep(table.file);
     fflush(table.file);
     const csv now = csv_of(strdup(table.text), "cost.csv");
     if (a->check) return against_check(&now, RECORDED, err);
     if (a->record) return write_recorded(&now, err);
     show_costs(&now, a->some);
     show_notes(w, a->some);
-    if (!a->some && write_record(&table, w->driver, a->peers, err)) return -1;
+    if (!a->some && write_record(&table, w, a->peers, err)) return -1;
     return a->against ? against_show(&now, a->against, err) : 0;
 }
 

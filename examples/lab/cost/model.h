@@ -20,7 +20,8 @@ typedef struct device {
 } device;
 
 extern const device devices[];
-extern const int devices_count;
+extern const int devices_count;             /* those of which tables have columns; others have published times alone */
+const device *device_of(const char *name);  /* NULL: there is none */
 
 /* The work of a pass. Instructions and fetches are those of one pixel; bytes those of the whole pass; waves: how many
    share a SIMD. */
@@ -34,5 +35,9 @@ extern const char *const bound_names[BOUNDS];
 
 /* Returns the milliseconds that a device takes for a load; *which: the longest of the four times. */
 double model(const device *d, const load *l, bound *which);
+
+/* Modelled over published milliseconds: their geometric mean, the least and the most. */
+typedef struct trust { double mean, least, most; } trust;
+trust trust_of(const double *modelled, const double *published, int count);
 
 #endif
