@@ -338,6 +338,7 @@ static double initial_of(const row *w, const ssgi_gl_chain *chain, const ssgi_gl
     float real = 0;
     if (w == &blur_row) return chain->desc.filter.radius;
     if (w == &history_row) return chain->history;
+    if (w == &vector_restore_row) return w->setting.value;   /* without a bounce the ratio has an error lower by .02 */
     if (w->where & (FRAME | SCALED)) {
         memcpy(&real, (const char *)frame + w->offset, sizeof real);
         return round(1e6 * (double)real) / 1e6;                         /* rounds to decimals: 0.3f becomes 0.3 */
