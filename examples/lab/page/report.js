@@ -150,7 +150,8 @@ function meant(group, x, y) {
 
 /* The sides of a point on which its name may stand: offset, and where the text begins. */
 const sides = [{ dx: 8, dy: 0, textAnchor: 'start' }, { dx: -8, dy: 0, textAnchor: 'end' },
-               { dx: 0, dy: -11, textAnchor: 'middle' }, { dx: 0, dy: 12, textAnchor: 'middle' }];
+               { dx: 0, dy: -11, textAnchor: 'middle' }, { dx: 0, dy: 12, textAnchor: 'middle' },
+               { dx: -2, dy: 12, textAnchor: 'end' }, { dx: -2, dy: -11, textAnchor: 'end' }];
 /* Returns names and the side of each: the first one on which it covers no point and no other name. at: of a row, in
    pixels. */
 function placed(names, points, at, width) {
