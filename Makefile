@@ -342,13 +342,13 @@ glsl-out:
 	@mkdir -p '$(DIR)' && awk -v folder='$(DIR)' -f examples/tools/glsl/rooms.awk ssgi_gl.h
 
 # Groups of tests: those of the library run in make test, those of the examples in make test-all.
-OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan math \
-              twins library
+OF_LIBRARY  = build text scenes pipeline history light coefficients surfels occluders trace field steps read plan \
+              twins library view bias kernel sh environment cap arguments
 OF_EXAMPLES = tools stability errors files models seeds papers cost
 # The files that tests of the examples call: all except the programs.
 TESTED = $(sort $(filter-out lab/report lab/stability/stability lab/stability/show,$(OF_report) $(OF_stability)) \
          $(addprefix lab/,against/compared against/subjects cost/count cost/share cost/model measure/csv))
-build/test: $(addprefix build/tests/,main.o t.o $(addprefix library/,frames.o arguments.o $(OF_LIBRARY:%=test_%.o))) \
+build/test: $(addprefix build/tests/,main.o t.o $(addprefix library/,frames.o $(OF_LIBRARY:%=test_%.o))) \
             $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 # Models in scenes by seed, from packages.
@@ -373,7 +373,7 @@ build/fuzz-files: $(addprefix build/sanitized/,$(addprefix tests/examples/,fuzz_
 tree: $(KIT_O) $(patsubst %,build/examples/%.o,$(OF_render) $(OF_report) $(GLSL) $(OF_bench) $(OF_against))
 	@sh tests/tree.sh $(sort $^)
 
-# make test ONLY="math text" runs those groups, make test PASS=blur those that name that pass (SSGI_GL_PASS_BLUR), both
+# make test ONLY="sh text" runs those groups, make test PASS=blur those that name that pass (SSGI_GL_PASS_BLUR), both
 # of the library and of the examples. Only programs that their files name are built.
 GROUPS_OF = $(shell sh tests/groups.sh $(1))
 ASKED     = $(ONLY) $(if $(PASS),text library $(call GROUPS_OF,$(PASS)))

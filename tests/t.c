@@ -27,6 +27,7 @@ double   t_within(double lower, double upper)
 int t_all(void) { return getenv("T_ALL") != NULL; }
 
 int t_passed, t_failed;
+const char *t_why = "";
 const char *t_root;
 
 enum { SHOWN = 5 };                        /* how many failures of a test are printed; others are only counted */

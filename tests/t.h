@@ -9,8 +9,14 @@
 /* the arguments of the message are evaluated only if it fails */
 #define CHECK(condition, ...) t_is((condition) || t_check(__FILE__, __LINE__, __VA_ARGS__))
 static inline int t_is(int ok) { return ok; }
+#define ROWS(table) ((int)(sizeof(table) / sizeof *(table)))
+/* A check that also prints its message as a note if it holds. */
+#define SHOW(condition, ...) \
+    t_is((condition) ? t_note(__VA_ARGS__), 1 : t_check(__FILE__, __LINE__, __VA_ARGS__))
 /* a call that returns 0, or another number and a reason in `err` */
 #define TRY(call) CHECK(!(call), "%s", err.text)
+/* a function of the library that should succeed, and its arguments before the last one, its reason */
+#define T_OK(function, ...) CHECK(function(__VA_ARGS__, &t_why) == SSGI_OK, #function ": %s", t_why)
 #define RUN(sentence, function) t_run(sentence, function)
 /* A call that is refused: it returns that result, its reason begins with name, and out keeps the value was. */
 #define T_REFUSED(call, result, name, out, was) \
@@ -45,14 +51,15 @@ double   t_within(double lower, double upper);         /* the same in double */
 int      t_all(void);
 
 extern int t_passed, t_failed;
+extern const char *t_why;                  /* the reason of T_OK */
 extern const char *t_root;                 /* the repository's folder, in which tests run */
 
 /* The groups of tests: each test_NAME is in its own file, and main.c calls it. Long groups are first, so that a short
    one ends last. A program has the groups of the library or of the examples (Makefile); the others are NULL in it. */
 #define T_GROUPS(X) \
     X(build) X(tools) X(text) X(stability) X(errors) X(scenes) X(pipeline) X(history) X(light) X(coefficients) \
-    X(surfels) X(occluders) X(trace) X(field) X(files) X(steps) X(read) X(plan) X(math) X(twins) X(models) X(seeds) \
-    X(library) X(papers) X(cost)
+    X(surfels) X(occluders) X(trace) X(field) X(files) X(steps) X(read) X(plan) X(twins) X(models) X(seeds) \
+    X(library) X(view) X(bias) X(kernel) X(sh) X(environment) X(cap) X(arguments) X(papers) X(cost)
 #define T_GROUP(name) __attribute__((weak)) void test_##name(void);
 T_GROUPS(T_GROUP)
 

@@ -1,4 +1,4 @@
-/* frames.c - pictures of known geometry, and runs on them. Declared in frames.h. */
+/* frames.c - vectors, harmonics, pictures of known geometry, and runs on them. Declared in frames.h. */
 #include "t.h"
 #include "frames.h"
 
@@ -8,6 +8,60 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
+
+void rigid_about(float m[16], const float z[3])
+{
+    float axis[3][3], aside[3];
+    do { direction(aside); } while (fabs(dot(aside, z)) > 0.9);
+    cross(aside, z, axis[0]);
+    const double length = sqrt(dot(axis[0], axis[0]));
+    for (int k = 0; k < 3; ++k) axis[0][k] = (float)((double)axis[0][k] / length);
+    cross(z, axis[0], axis[1]);
+    memcpy(axis[2], z, sizeof axis[2]);
+    for (int k = 0; k < 3; ++k) {
+        for (int a = 0; a < 3; ++a) m[4 * k + a] = axis[a][k];
+        m[4 * k + 3] = 0;
+        m[12 + k] = t_uniform(-5, 5);
+    }
+    m[15] = 1;
+}
+
+void through(const float m[16], const float p[3], float w, float out[3])
+{
+    for (int i = 0; i < 3; ++i) out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i] * w;
+}
+
+double series(const float *coefficients, int channels, int bands, const float d[3], const double *factor)
+{
+    float basis[HARMONICS];
+    double sum = 0;
+    ssgi_sh_basis(basis, bands, d);
+    for (int l = 0, i = 0; l < bands; ++l)
+        for (; i < (l + 1) * (l + 1); ++i)
+            sum += (double)basis[i] * (double)coefficients[channels * i] * (factor ? factor[l] : 1);
+    return sum;
+}
+
+const double of_cosine[SSGI_SH_MAX_BANDS] = { KIT_PI, 2 * KIT_PI / 3, KIT_PI / 4, 0, -KIT_PI / 24, 0 };
+
+double equirect(float d[3], int i, int width, int height)
+{
+    const double lat = pi * (0.5 - (i / width + 0.5) / height), lon = pi - 2 * pi * (i % width + 0.5) / width;
+    d[0] = (float)(cos(lat) * sin(lon));
+    d[1] = (float)sin(lat);
+    d[2] = (float)(cos(lat) * cos(lon));
+    return (sin(lat + pi / 2 / height) - sin(lat - pi / 2 / height)) * 2 * pi / width;
+}
+
+void smooth_sky(float *rgb, float coefficients[27], int width, int height)
+{
+    float d[3];
+    for (int i = 0; i < 27; ++i) coefficients[i] = i < 3 ? t_uniform(9, 12) : t_uniform(-1, 1);
+    for (int i = 0; i < 3 * width * height; ++i) {
+        equirect(d, i / 3, width, height);
+        rgb[i] = (float)series(coefficients + i % 3, 3, 3, d, NULL);
+    }
+}
 
 kit_camera looking_along_z(int width, int height, int orthographic)
 {
@@ -19,14 +73,10 @@ kit_camera looking_along_z(int width, int height, int orthographic)
 int view_of(ssgi_view *view, const kit_camera *c, int flipped)
 {
     float world[16], projection[16];
-    const char *why = "";
     kit_camera_matrices(c, world, projection);
     for (int k = 1; flipped && k < 16; k += 4) projection[k] = -projection[k];
-    return CHECK(ssgi_view_from_projection(view, projection,
-                                           c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width,
-                                           c->height, &why)
-                     == SSGI_OK,
-                 "%s", why);
+    return T_OK(ssgi_view_from_projection, view, projection,
+                c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width, c->height);
 }
 
 int planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more)

@@ -1,15 +1,10 @@
-/* frames.h - pictures of known geometry, and runs on them, shared by the tests that draw. */
+/* frames.h - vectors, harmonics, pictures of known geometry, and runs on them, which tests share. */
 #ifndef FRAMES_H
 #define FRAMES_H
 #include "kit/kit_gl.h"
 #include "t.h"
 #include <math.h>
 #include <string.h>
-
-#define ROWS(table) ((int)(sizeof(table) / sizeof *(table)))
-/* A check that also prints its message as a note if it holds. */
-#define SHOW(condition, ...) \
-    t_is((condition) ? t_note(__VA_ARGS__), 1 : t_check(__FILE__, __LINE__, __VA_ARGS__))
 
 /* Sets d to a random unit vector, evenly distributed over the sphere. */
 static inline void direction(float d[3])
@@ -18,6 +13,31 @@ static inline void direction(float d[3])
     d[0] = r * cosf(a);
     d[1] = r * sinf(a);
     d[2] = z;
+}
+
+/* Raises *worst to an error that is larger. NaN counts as infinite. */
+static inline void grow(double *worst, double error)
+{
+    error = fabs(error);
+    if (!(error <= *worst)) *worst = error >= 0 ? error : HUGE_VAL;
+}
+
+/* Returns the largest difference between two arrays. */
+static inline double apart_by(const float *a, const float *b, int count)
+{
+    double worst = 0;
+    for (int i = 0; i < count; ++i) grow(&worst, (double)a[i] - (double)b[i]);
+    return worst;
+}
+
+static inline double dot(const float a[3], const float b[3])
+{
+    return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
+}
+
+static inline void cross(const float a[3], const float b[3], float out[3])
+{
+    for (int k = 0; k < 3; ++k) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
 /* Packs a texel of pass thickness for ssgi_measured_texel: view depths of a 2x2, thicknesses in radii / 63. */
@@ -46,6 +66,20 @@ static inline float unpack_measured(unsigned *thickness, const uint32_t texel[4]
     memcpy(&from, &texel[0], sizeof from);
     return !orthographic ? z : *thickness ? from + z : 1e18f;
 }
+
+/* makes a rigid matrix of camera axes: z is given, and the turn about it is random */
+void       rigid_about(float m[16], const float z[3]);
+void       through(const float m[16], const float p[3], float w, float out[3]);   /* moves a point by a matrix */
+
+enum { HARMONICS = SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS };
+/* Returns the value of a channel of harmonics in a direction. factor: of each band, NULL: 1. */
+double     series(const float *coefficients, int channels, int bands, const float d[3], const double *factor);
+/* by band l: 2 pi times the integral of z P_l(z) over [0,1] */
+extern const double of_cosine[SSGI_SH_MAX_BANDS];
+/* writes a pixel's direction as in OpenEXR: latitude falls from pi/2, longitude from pi; returns its solid angle */
+double     equirect(float d[3], int i, int width, int height);
+/* makes an environment of bands 0..2 by random coefficients; band 0 keeps it above 0 */
+void       smooth_sky(float *rgb, float coefficients[27], int width, int height);
 
 kit_camera looking_along_z(int width, int height, int orthographic);
 /* makes the view of a camera; flipped: upside down */

@@ -9,7 +9,7 @@
 
 static int wrong;
 #define WRONG(...) (printf(__VA_ARGS__), puts(""), ++wrong)
-#include "arguments.c"
+#include "test_arguments.c"
 
 /* Checks that functions that return a float accept anything, and return a number in 0..SSGI_FAR. */
 static void formulas(void)

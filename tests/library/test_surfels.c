@@ -9,17 +9,6 @@
 
 static const double pi = 3.14159265358979;
 static kit_error err;
-#define COUNT(array) (int)(sizeof (array) / sizeof (array)[0])
-
-static double dot(const float a[3], const float b[3])
-{
-    return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
-}
-
-static void cross(const float a[3], const float b[3], float out[3])
-{
-    for (int k = 0; k < 3; ++k) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
 
 static const float one[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
 
@@ -275,7 +264,7 @@ static void odd_triangles(void)
     const ssgi_splat splat = { 0 };
     ssgi_view view;
     ssgi_surfel_desc d = { .keep_small = 1, .size = 0.05f };
-    for (int i = 0; i < 2 * COUNT(row); ++i) {
+    for (int i = 0; i < 2 * ROWS(row); ++i) {
         ssgi_surfel_source source = source_of(row[i / 2].p, 1);
         ssgi_surfel_cost cost;
         size_t n = 0;
@@ -592,7 +581,7 @@ static void dipoles(void)
         { "wholemilk", 2, 0.759412709098, { 1.18155066, 0.153520806, 0.0397479523, 0.00776154361, 0.000339423477 } }
     };
     static const double mm[5] = { 0, 0.5, 1, 2, 5 };
-    for (int i = 0; i < COUNT(row); ++i) {
+    for (int i = 0; i < ROWS(row); ++i) {
         const kit_material *m = NULL;
         ssgi_dipole d;
         for (int k = 0; kit_material_of(k); ++k)
@@ -645,10 +634,10 @@ static void refusals(void)
     if (!view_of(&view, &c, 0)) return;
 #define REFUSED(call, name) T_REFUSED(call, SSGI_BAD_ARGUMENT, name, o, was)
     /* functions that take a desc and a view: after the bad descs first no desc, then no view */
-    for (int k = 0; k < COUNT(descs) + 2; ++k) {
-        const char *const name = k < COUNT(descs) ? descs[k].name : k == COUNT(descs) ? "desc" : "view";
-        const ssgi_surfel_desc *desc = k < COUNT(descs) ? &descs[k].d : k == COUNT(descs) ? NULL : &d;
-        const ssgi_view *v = k <= COUNT(descs) ? &view : NULL;
+    for (int k = 0; k < ROWS(descs) + 2; ++k) {
+        const char *const name = k < ROWS(descs) ? descs[k].name : k == ROWS(descs) ? "desc" : "view";
+        const ssgi_surfel_desc *desc = k < ROWS(descs) ? &descs[k].d : k == ROWS(descs) ? NULL : &d;
+        const ssgi_view *v = k <= ROWS(descs) ? &view : NULL;
         REFUSED(ssgi_surfels(o.out, 2, &o.count, desc, v, &source, &why), name);
         REFUSED(ssgi_surfels_predict(&o.cost, desc, &splat, v, &source, &why), name);
         REFUSED(ssgi_surfel_scale(o.scale, desc, v, &why), name);
@@ -663,7 +652,7 @@ static void refusals(void)
         REFUSED(ssgi_surfels(o.out, 2, &o.count, &d, &view, k ? &bad : NULL, &why), names[k]);
         REFUSED(ssgi_surfels_predict(&o.cost, &d, &splat, &view, k ? &bad : NULL, &why), names[k]);
     }
-    for (int k = 0; k < COUNT(splats); ++k)
+    for (int k = 0; k < ROWS(splats); ++k)
         REFUSED(ssgi_surfels_predict(&o.cost, &d, &splats[k].splat, &view, &source, &why), splats[k].name);
     REFUSED(ssgi_surfels_predict(&o.cost, &d, NULL, &view, &source, &why), "splat");
     REFUSED(ssgi_surfels_predict(NULL, &d, &splat, &view, &source, &why), "cost");
@@ -691,7 +680,7 @@ static void refusals(void)
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 1, NULL, &why), "lights");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, -1, NULL, &why), "light_count");
     REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 0, black, &why), "sky");
-    for (int k = 0; k < COUNT(distances); ++k) { /* a sun that one row follows, for a wider map */
+    for (int k = 0; k < ROWS(distances); ++k) { /* a sun that one row follows, for a wider map */
         const ssgi_gl_light suns[2] = { { .min_distance = distances[k] } };
         REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, suns, 2, NULL, &why), "lights.min_distance");
     }
@@ -718,7 +707,7 @@ static void levels_wanted(void)
     } row[] = { { 0.04, 0.1, 0, 1 },      { 0.04, 0.1, 0.0599, 1 }, { 0.04, 0.1, 0.0601, 2 }, { 0.04, 0.1, 0.12, 2 },
                 { 0.04, 0.1, 0.1201, 3 }, { 0.04, 0.1, 1.91, 6 },   { 0.04, 0.1, 1.93, 7 },   { 0.04, 0.1, 1e9, 7 },
                 { 0.04, 1, 0.1, 7 },      { 0, 0.1, 0.1, 7 },       { 0.04, 0.1, NAN, 7 },    { NAN, 0.1, 0.1, 7 } };
-    for (int i = 0; i < COUNT(row); ++i)
+    for (int i = 0; i < ROWS(row); ++i)
         CHECK(ssgi_splat_levels(row[i].size, row[i].epsilon, row[i].radius) == row[i].levels,
               "size %g, epsilon %g, radius %g: %d levels", row[i].size, row[i].epsilon, row[i].radius,
               ssgi_splat_levels(row[i].size, row[i].epsilon, row[i].radius));
@@ -844,7 +833,7 @@ static void three_ways(void)
         { "boxes", "size=0.04,overhang=centroid", 0, 0, 0 },
         { "pebbles", "size=0.04,overhang=incentre", 1, 0, 0.1f },
         { "pebbles", "size=0.02,splits=1,levels=1,epsilon=0.5", 1, 1, 1 } };
-    for (int m = 0; m < COUNT(row); ++m) {
+    for (int m = 0; m < ROWS(row); ++m) {
         deep d[3];
         kit_image out[3];
         kit_scene scene;
@@ -1022,7 +1011,7 @@ static void as_brute_force(void)
                 { "levels=4,smooth=1,size=0.06", { .levels = 4, .mean = 1 }, 0, 0, 0.6f } };
     kit_scene scene;
     if (!TRY(kit_scene_load(&scene, "boxes", 0, &err))) return;
-    for (int m = 0; m < COUNT(row); ++m) {
+    for (int m = 0; m < ROWS(row); ++m) {
         deep d, cpu;
         kit_image out;
         kit_camera c = scene.camera;
@@ -1101,7 +1090,7 @@ static void unseen(void)
                     { "hidden", placed(&d, 0, 0.2f, -0.5f, 0, -0.6f, -0.8f, 0.2f, 0.7f), 0.0002 },
                     { "across the near plane", placed(&d, 0.05f, 1.4f, 1.9f, 0, -1, 0, 0.4f, 0.9f), 0.002 },
                     { "in view", placed(&d, 0.5f, 0.5f, 0.5f, 0, -1, 0, 0.1f, 0.1f), 0.002 } };
-        for (int k = 0; k < 2 * COUNT(row); ++k) {
+        for (int k = 0; k < 2 * ROWS(row); ++k) {
             const char *const side = k & 1 ? ", its back" : "";
             ssgi_surfel s = row[k / 2].s;
             const splatted of = { .s = &s, .count = 1, .levels = 1, .hard = 1 };
@@ -1169,14 +1158,14 @@ static void custom(void)
                                         "levels=4,combine=add" };
     kit_lighting l;
     if (!lighten(&l, NULL, "point:0,5,0,1,1,1")) return;
-    for (int k = 0; k <= COUNT(sets); ++k) {
-        const int reaches = k < COUNT(sets);
+    for (int k = 0; k <= ROWS(sets); ++k) {
+        const int reaches = k < ROWS(sets);
         char set[2][128];
         deep d[2];
         kit_image out[2];
         double worst = 0, dark = 0;
-        snprintf(set[0], sizeof set[0], "size=0.04,falloff=none,near_samples=1,span=0,%s", sets[k % COUNT(sets)]);
-        snprintf(set[1], sizeof set[1], "size=0.04,epsilon=0.3,shadows=none,near_samples=1,%s", sets[k % COUNT(sets)]);
+        snprintf(set[0], sizeof set[0], "size=0.04,falloff=none,near_samples=1,span=0,%s", sets[k % ROWS(sets)]);
+        snprintf(set[1], sizeof set[1], "size=0.04,epsilon=0.3,shadows=none,near_samples=1,%s", sets[k % ROWS(sets)]);
         if (!dive(&d[0], "boxes", NULL, 0, NULL, 96, 54, "dss", set[0], 0.6f, NULL) || !drawn(&out[0], &d[0].run)
             || !look(&d[1], "boxes", NULL, 0, NULL, 96, 54)
             || !begin_deep(&d[1], "dss-gloss", set[1], 0.6f, &l, reaches ? disc : reaches_nowhere)
@@ -1256,7 +1245,7 @@ static void turned_over(void)
                 { "dss-gloss", "shadows=none", "irradiance.R", even } };
     kit_lighting l;
     if (!lighten(&l, "white", NULL)) return;
-    for (int k = 0; k < COUNT(row); ++k) {
+    for (int k = 0; k < ROWS(row); ++k) {
         const kit_lighting *lighting = k ? &l : NULL;
         double is[3] = { 0 };
         kit_image out;
@@ -1357,7 +1346,7 @@ static void sent_by_half(void)
     static ssgi_surfel surfel[N];
     static const float sky[3] = { 0.25f, 1, 0.5f };
     static const double powers[] = { 1, 2, 3, 0, -1 };
-    for (int k = 0; k < COUNT(powers); ++k) {
+    for (int k = 0; k < ROWS(powers); ++k) {
         const double power = powers[k], h = log(2) / 8;
         double worst = 0;
         for (double octaves = 1; octaves < 32; octaves *= 1.1) {
@@ -1412,7 +1401,7 @@ static void sent_by_one(void)
         { "a sun and the sky", { .at = { 0, 0.6f, 0.8f } }, 0.8, 1 },
         { "the sky", { .at = { 0, 0, -1 } }, 0, 1 },
     };
-    for (int i = 0; i < COUNT(row); ++i) {
+    for (int i = 0; i < ROWS(row); ++i) {
         static const float colour[3] = { 2, 16, 8 }, sky[3] = { 0.75f, 0.25f, 0.5f };
         ssgi_gl_light light[2] = { row[i].light, row[i].light };
         ssgi_gl_frame frame = { .sent = 7 };
@@ -1442,7 +1431,7 @@ static void sky_returned(void)
                                                                   { "span=0,size=0.05", 0.1f },
                                                                   { "span=0,size=0.05", 100 } };
     double none = 0;
-    for (int k = 0; k < COUNT(row); ++k) {
+    for (int k = 0; k < ROWS(row); ++k) {
         kit_method m;
         kit_lighting l;
         kit_image out, truth;

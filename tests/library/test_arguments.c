@@ -1,6 +1,6 @@
-/* arguments.c - calls with bad arguments. Each argument's limits are a row; each limit is broken alone, in every way
-   that the argument's kind has. The function must refuse, name the argument and write nothing. Part of group math.
-   nan.c includes it, too, and is compiled by other rules of arithmetic: WRONG(format, ..) notes a fault. */
+/* test_arguments.c - calls with bad arguments. Each argument's limits are a row; each limit is broken alone, in every
+   way that the argument's kind has. The function must refuse, name the argument and write nothing. nan.c includes it,
+   too, and is compiled by other rules of arithmetic: WRONG(format, ..) notes a fault. */
 #include "../../ssgi_gl.h"
 #include <math.h>
 #include <string.h>
@@ -44,6 +44,7 @@ static ssgi_field_limits limits;
 static ssgi_trace trace;
 static ssgi_plan_scene scene;
 static uint32_t texels[432], words[9];
+static float work[1 << 17];
 
 /* Room for outputs of calls: the first output, and one half of the room behind it. */
 enum { ROOM = 20000 };
@@ -52,7 +53,6 @@ static double written[ROOM], untouched[ROOM];
 /* Fills in the arguments that the library itself makes. Returns 0 and a reason if it cannot. */
 static int arguments_begin(const char **why)
 {
-    static float work[1 << 17];
     static unsigned char memory[4096];
     memset(untouched, 0x5a, sizeof untouched);
     baked.resolution = baked.radii = 4;
@@ -91,8 +91,11 @@ CALL(divide, ssgi_surfels_divide(P(0), 2, P(1), P(2), &view, P(3), why))
 CALL(make, ssgi_surfels(P(0), 64, P(1), P(2), &view, P(3), why))
 CALL(predict, ssgi_surfels_predict(P(0), P(1), P(2), &view, P(3), why))
 CALL(scattering, ssgi_dipole_set(P(0), P(1), P(2), F(3), why))
+CALL(built, ssgi_trace_build(P(0), P(1), 4096, P(2), Z(3), NULL, Z(4), why))
 CALL(seen, ssgi_trace_visibility(P(0), P(1), P(2), P(3), 1, F(4), N(5), N(6), why))
+CALL(caps, ssgi_cap_table(P(0), N(1), why))
 CALL(blocked, ssgi_cap_light(P(0), P(1), N(2), F(3), P(4), P(5), why))
+CALL(bake, ssgi_field_bake(P(0), P(1), P(2), sizeof work, P(3), P(4), Z(5), NULL, Z(6), why))
 CALL(calibrate, ssgi_plan_calibrate(P(0), P(1), P(2), P(3), P(4), NULL, Z(5), N(6), F(7), why))
 CALL(plan, ssgi_plan_make(P(0), P(1), why))
 CALL(frame_of, ssgi_gl_frame_init(P(0), P(1), F(2), why))
@@ -119,6 +122,8 @@ typedef struct argument {
 
 #define COUNT(name, low, high) { name, COUNT_, 0, NULL, low, { (low) - 1.0, (high) + 1.0 } }
 #define SIZE(name, is, bad) { name, SIZE_, 0, NULL, is, { bad, bad } }
+#define STRIDE { "stride_bytes", SIZE_, 0, NULL, 12, { 8, 14 } }
+#define TRIANGLES { "triangles", SIZE_, 0, NULL, 1, { 0, SSGI_TRACE_MAX_TRIANGLES + 1.0 } }
 #define NUMBER(name, is, below, above) { name, NUMBER_, 0, NULL, is, { below, above } }
 #define OUT(name) { name, POINTER_, 0, written, 0, { 0, 0 } }
 #define SECOND(name) { name, POINTER_, 0, written + ROOM / 2, 0, { 0, 0 } }
@@ -182,12 +187,17 @@ static const struct call {
         MEMBER("source", source.to_view, 16), MEMBER("splat", &splat.epsilon, 4) } },
     { "ssgi_dipole_set", scattering,
       { OUT("dipole"), FLOATS("sigma_s", colour, 3), FLOATS("sigma_a", up, 3), NUMBER("eta", 1.5, 0.9, 3.1) } },
+    { "ssgi_trace_build", built, { OUT("trace"), SECOND("memory"), GIVEN("position", triangle), STRIDE, TRIANGLES } },
     { "ssgi_trace_visibility", seen,
-      { OUT("out"), GIVEN("trace", &trace), GIVEN("position", up), GIVEN("normal", up), NUMBER("radius", 1, -1, -1),
+      { OUT("out"), GIVEN("trace", &trace), GIVEN("position", up), GIVEN("normal", up), NUMBER("radius", 1, 0, -1),
         COUNT("rays", 1, 65536), COUNT("hard", 0, 1) } },
+    { "ssgi_cap_table", caps, { OUT("out"), COUNT("size", 2, 4096) } },
     { "ssgi_cap_light", blocked,
       { OUT("out"), FLOATS("coefficients", coefficients, 3), COUNT("bands", 1, 6),
         NUMBER("solid_angle", 0.5, 0.5, 0.5), DIRECTION("axis", up), DIRECTION("normal", colour) } },
+    { "ssgi_field_bake", bake,
+      { OUT("field"), SECOND("texels"), GIVEN("work", work), GIVEN("desc", &baked), GIVEN("position", triangle), STRIDE,
+        TRIANGLES, MEMBER("desc.reach", &baked.reach, 1) } },
     { "ssgi_plan_calibrate", calibrate,
       { OUT("calibration"), GIVEN("trace", &trace), GIVEN("position", up), GIVEN("normal", up), GIVEN("hsao", &number),
         SIZE("count", 1, 0), COUNT("rays", 2, 65536), NUMBER("radius", 1, 0, -1) } },
@@ -337,7 +347,7 @@ static void refuses_argument(const struct call *c, int k)
 }
 
 /* Breaks every argument of every call, and checks that valid arguments are accepted. */
-void arguments_refused(void)
+static void arguments_refused(void)
 {
     const char *why = "";
     if (!arguments_begin(&why)) WRONG("arguments that are right: %s", why);
@@ -362,3 +372,10 @@ void arguments_refused(void)
         }
     }
 }
+
+#ifdef RUN
+void test_arguments(void)
+{
+    RUN("bad arguments are named, outputs stay", arguments_refused);
+}
+#endif
