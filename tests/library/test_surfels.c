@@ -1281,7 +1281,7 @@ static void half_size(void)
         deep d[2];
         kit_image out[2], none;
         for (int half = 0; half < 2; ++half) {
-            snprintf(set, sizeof set, "size=0.06,levels=4,resolution=%s,span=%d", half ? "half" : "full",
+            snprintf(set, sizeof set, "size=0.06,levels=4,blur=1,resolution=%s,span=%d", half ? "half" : "full",
                      alone ? 0 : 6);
             if (!dive(&d[half], "boxes", NULL, 0, NULL, 256, 144, lit ? "dss-lit" : "dss", set, 0.6f, lit ? &l : NULL)
                 || !drawn(&out[half], &d[half].run))
