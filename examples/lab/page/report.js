@@ -5,18 +5,18 @@ const records = {};
 
 /* ---- >>data ------------------------------------------------------------------------------------------------- */
 
-/* Returns a csv's rows as objects. Cells that look like numbers become numbers. */
+/* Returns a csv's rows as objects. Cells without quotes that look like numbers become numbers. */
 function parse(text) {
     const rows = [], cell = /("(?:[^"]|"")*"|[^,\n]*)(,|\n|$)/y;
     let row = [];
     while (cell.lastIndex < text.length) {
         const [, value, end] = cell.exec(text);
-        row.push(value[0] === '"' ? value.slice(1, -1).replaceAll('""', '"') : value);
+        row.push(value[0] === '"' ? value.slice(1, -1).replaceAll('""', '"')
+                 : value === '' ? null : isNaN(value) ? value : +value);
         if (end !== ',') { rows.push(row); row = []; }
     }
     const head = rows.shift() ?? [];
-    return rows.map(r => Object.fromEntries(head.map((key, i) =>
-        [key, r[i] === '' || r[i] === undefined ? null : isNaN(r[i]) ? r[i] : +r[i]])));
+    return rows.map(r => Object.fromEntries(head.map((key, i) => [key, r[i] ?? null])));
 }
 const known = v => v !== null && v !== undefined && !Number.isNaN(v);
 const mean = list => { const v = list.filter(known); return v.length ? v.reduce((a, b) => a + b) / v.length : null; };
