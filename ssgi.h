@@ -980,7 +980,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
       s.error = 0.03f;
       s.screen_radius = 0.2f;
       ssgi_survey_of(&s.survey, hsao, best, solid, slabs, 3000, NULL);  // pictures of hsao, here 3000 pixels of them
-      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, slabs, 3000, 64, radius, NULL);
+      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, slabs, fast, 3000, 64, radius, NULL);
       ssgi_plan plan;
       if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);
       ssgi_gl_plan(&desc, &plan, NULL);                                // of ssgi_gl.h: sets a desc   */
@@ -1053,6 +1053,8 @@ typedef struct ssgi_calibration {
     float unoccluded; /* error of an image without any occlusion */
     float hsao;       /* error of slices, preset BALANCED, thickness WIDTH; for light: of visibility times the light */
     float slabs;      /* the same as hsao, but with thickness SLABS; 0: not known */
+    float fast;       /* the same as hsao, but with preset FAST; 0: not known */
+    float s3ho;       /* LIGHT, BOUNCE: error of s3ho, preset BALANCED, thickness WIDTH; 0: not known */
 } ssgi_calibration;
 
 /* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
@@ -1061,14 +1063,14 @@ typedef struct ssgi_calibration {
    of 27 views, and within 10 % in nine of ten.
      position, normal   of each point, in the trace's space; normals unit, toward the viewer. Take positions from
                         tracing the pixels' rays: those from depth are too coarse far away
-     hsao, slabs        ambient visibility in the frame at each point, by the settings of ssgi_calibration; a value that
-                        is not finite counts as 1; slabs may be NULL
+     hsao, slabs, fast  ambient visibility in the frame at each point, by the settings of ssgi_calibration; a value that
+                        is not finite counts as 1; slabs and fast may be NULL
      count              [limit: > 0] points
      rays               [limit: 2..65536] a point
      radius             [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
-                                         const float *normal, const float *hsao, const float *slabs, size_t count,
-                                         int rays, float radius, const char **why);
+                                         const float *normal, const float *hsao, const float *slabs, const float *fast,
+                                         size_t count, int rays, float radius, const char **why);
 
 /* The known numbers of a scene, and the request. Zero means not known, or the default. Words in capitals before a colon
    are the values of `wanted` for which the member is read. */
@@ -1117,7 +1119,7 @@ typedef struct ssgi_plan {
     float cost;       /* [units: as budget] with depth passes, without making surfels and fields; at most SSGI_FAR */
     float error;      /* in the measure of `wanted`; at most SSGI_FAR */
     float unoccluded; /* the same of an image without occlusion; error / unoccluded is the relative error */
-    int meets;        /* 1: error <= 1.05 x the error asked for, and cost within the budget; 0 if none was asked for */
+    int meets;        /* 1: error <= 1.04 x the error asked for, and cost within the budget; 0 if none was asked for */
 
     /* numbers of choices, for ssgi_plan_choice */
     int choice;  /* this plan's */
@@ -4805,11 +4807,11 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
 }
 
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
-                                         const float *normal, const float *hsao, const float *slabs, size_t count,
-                                         int rays, float radius, const char **why)
+                                         const float *normal, const float *hsao, const float *slabs, const float *fast,
+                                         size_t count, int rays, float radius, const char **why)
 {
-    const float *const shown[3] = { NULL, hsao, slabs };
-    double square[3] = { 0.0, 0.0, 0.0 };
+    const float *const shown[4] = { NULL, hsao, slabs, fast };
+    double square[4] = { 0.0, 0.0, 0.0, 0.0 };
     SSGI__THERE2(calibration, trace);
     SSGI__THERE3(position, normal, hsao);
     SSGI__CHECK(count, "count: must not be 0");
@@ -4825,16 +4827,18 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
         for (int k = 0; k < 2; ++k) /* two estimates of the occlusion, by half of the rays each */
             occlusion[k] = ssgi__trace_occlusion(trace, from, axes, radius, rays / 2, 0,
                                                  (uint32_t)(2 * i) + (uint32_t)k);
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 4; ++k) {
             const double visible = shown[k] && ssgi__finite(shown[k][i]) ? (double)shown[k][i] : 1.0;
             square[k] += (occlusion[0] - (1.0 - visible)) * (occlusion[1] - (1.0 - visible));
         }
     }
-    for (int k = 0; k < 3; ++k) square[k] = square[k] > 0.0 ? sqrt(square[k] / (double)count) : 0.0;
+    for (int k = 0; k < 4; ++k) square[k] = square[k] > 0.0 ? sqrt(square[k] / (double)count) : 0.0;
     calibration->known = 1;
     calibration->unoccluded = (float)square[0];
     calibration->hsao = (float)square[1];
     calibration->slabs = slabs ? (float)square[2] : 0.0f;
+    calibration->fast = fast ? (float)square[3] : 0.0f;
+    calibration->s3ho = 0.0f;
     return SSGI_OK;
 }
 
@@ -4844,6 +4848,7 @@ enum {
     SSGI__PLAN_UNOCCLUDED,     /* E */
     SSGI__PLAN_HSAO_ERROR,     /* squared error of hsao */
     SSGI__PLAN_SLABS_ERROR,    /* squared error of hsao with slabs */
+    SSGI__PLAN_KIN_ERROR,      /* squared error of hsao's preset FAST if thickness is CONSTANT, else of s3ho */
     SSGI__PLAN_COARSE,         /* E * size of a surfel / screen radius */
     SSGI__PLAN_UNEVEN,         /* E * the light's energy above band 0 / its energy in band 0 */
     SSGI__PLAN_CONSTANT_ERROR, /* 1e-4 */
@@ -4859,10 +4864,10 @@ typedef struct ssgi__plan_row {
 
 /* clang-format off */
 #define SSGI__P(wanted, method, thickness, resolution, slices, samples, bands, history, field_resolution, \
-                surfel_size, cost, gpu, unoccluded, hsao, slabs, coarse, uneven, constant) \
+                surfel_size, cost, gpu, unoccluded, hsao, slabs, kin, coarse, uneven, constant) \
     { SSGI__PLAN_##wanted, SSGI_PLAN_METHOD_##method, SSGI_PLAN_THICKNESS_##thickness, resolution, slices, samples, \
       bands, history, field_resolution, surfel_size, { cost, gpu }, \
-      { unoccluded, hsao, slabs, coarse, uneven, constant } }
+      { unoccluded, hsao, slabs, kin, coarse, uneven, constant } }
 
 enum {
     SSGI__PLAN_V = SSGI_PLAN_WANTED_VISIBILITY,
@@ -4872,77 +4877,87 @@ enum {
 };
 
 /* A table of the planner's choices, whose rows make fit prints. NOTHING is no ambient occlusion. The columns from E on
-   are the weights of the terms, SSGI__PLAN_UNOCCLUDED and so on. Of visibility they are fitted to 14 scenes by seed, 0
-   to 13, at 1280x720. Of light and bounces they were fitted to 34 views, with the samples and filters of version 0.4;
-   the rows with resolution 3 there have the weights of visibility. CPU costs were measured in 0.4; those of rows that
-   have changed since are multiplied by the change of their modelled cost on a GPU. */
+   are the weights of the terms, SSGI__PLAN_UNOCCLUDED and so on, fitted to 28 scenes by seed, 0 to 27, at 1280x720. CPU
+   costs were measured in 0.4; those of rows that have changed since are multiplied by the change of their modelled cost
+   on a GPU. */
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
   /*                  thickness
                       |         resolution
                       |         |  slices
                       |         |  |  samples
                       |         |  |  |   bands
-                      |         |  |  |   |  history                                         coarse
-          for         |         |  |  |   |  |  field_resolution                             |     uneven
+                      |         |  |  |   |  history                                                coarse
+          for         |         |  |  |   |  |  field_resolution                                    |     uneven
           |  method   |         |  |  |   |  |  |  surfel_size
-          |  |        |         |  |  |   |  |  |  |      CPU    GPU    E      hsao   slabs  |     |      1e-4 */
-  SSGI__P(V, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
-  SSGI__P(V, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .64f,  .56f,  .034f, 1.17f, 0,     0,    0,     0),
-  SSGI__P(V, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.27f, 1.11f, .018f, 1.09f, 0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    1, 1, 8,  0, 0, 0, 0,     1.45f, 1.31f, 0,     1.1f,  0,     0,    0,     .61f),
-  SSGI__P(V, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     2.03f, 1.83f, 0,     1.0f,  0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    1, 2, 12, 0, 0, 0, 0,     2.33f, 2.32f, 0,     .9f,   0,     0,    0,     .032f),
-  SSGI__P(V, HSAO,    WIDTH,    1, 1, 12, 0, 1, 0, 0,     1.97f, 2.15f, 0,     .83f,  0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    1, 3, 16, 0, 0, 0, 0,     3.34f, 3.81f, .002f, .83f,  0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    0, 2, 7,  0, 0, 0, 0,     4.64f, 4.32f, 0,     .9f,   0,     0,    0,     0),
-  SSGI__P(V, HSAO,    WIDTH,    0, 2, 12, 0, 0, 0, 0,     6.19f, 6.59f, 0,     .77f,  0,     0,    0,     0),
-  SSGI__P(V, HSAO,    BACK,     1, 1, 8,  0, 0, 0, 0,     1.39f, 1.33f, .009f, .41f,  .78f,  0,    0,     0),
-  SSGI__P(V, HSAO,    BACK,     1, 2, 8,  0, 0, 0, 0,     1.99f, 1.85f, .008f, .48f,  .56f,  0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    1, 1, 8,  0, 0, 0, 0,     2.7f,  1.59f, 0,     0,     1.12f, 0,    0,     .52f),
-  SSGI__P(V, HSAO,    SLABS,    1, 2, 8,  0, 0, 0, 0,     3.55f, 2.3f,  0,     0,     1.0f,  0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    1, 2, 12, 0, 0, 0, 0,     4.63f, 3.0f,  0,     0,     .88f,  0,    0,     .093f),
-  SSGI__P(V, HSAO,    SLABS,    1, 1, 12, 0, 1, 0, 0,     3.57f, 2.54f, 0,     0,     .81f,  0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    1, 3, 16, 0, 0, 0, 0,     6.52f, 5.05f, .003f, 0,     .8f,   0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    0, 2, 7,  0, 0, 0, 0,     9.67f, 5.64f, 0,     0,     .88f,  0,    0,     0),
-  SSGI__P(V, HSAO,    SLABS,    0, 2, 12, 0, 0, 0, 0,     12.4f, 8.76f, 0,     0,     .72f,  0,    0,     0),
-  SSGI__P(V, DSS,     WIDTH,    3, 2, 8,  0, 0, 0, .03f,  1.28f, 1.84f, .02f,  .59f,  .37f,  .032f,0,     0),
-  SSGI__P(V, DSS,     WIDTH,    1, 2, 8,  0, 0, 0, .03f,  2.38f, 3.1f,  0,     .62f,  .22f,  .018f,0,     0),
-  SSGI__P(V, DSS,     WIDTH,    0, 2, 7,  0, 0, 0, .03f,  5.4f,  8.1f,  0,     .53f,  .21f,  .016f,0,     0),
-  SSGI__P(L, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
-  SSGI__P(L, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .64f,  .56f,  .034f, 1.17f, 0,     0,    0,     0),
-  SSGI__P(L, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.27f, 1.11f, .017f, 1.08f, 0,     0,    0,     .54f),
-  SSGI__P(L, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     2.05f, 1.83f, 0,     1.0f,  0,     0,    0,     0),
-  SSGI__P(L, HSAO,    SLABS,    1, 2, 8,  0, 0, 0, 0,     3.47f, 2.3f,  0,     0,     1.0f,  0,    0,     0),
-  SSGI__P(L, HSAO,    SLABS,    1, 1, 12, 0, 1, 0, 0,     3.64f, 2.54f, 0,     0,     .87f,  0,    .005f, 0),
-  SSGI__P(L, S3HO,    WIDTH,    1, 1, 5,  4, 0, 0, 0,     2.45f, 1.83f, .07f,  .64f,  0,     0,    0,     0),
-  SSGI__P(L, S3HO,    WIDTH,    1, 2, 9,  2, 0, 0, 0,     2.72f, 2.69f, .013f, .64f,  0,     0,    .008f, 0),
-  SSGI__P(L, S3HO,    WIDTH,    1, 2, 9,  4, 0, 0, 0,     2.95f, 2.81f, .019f, .59f,  0,     0,    0,     0),
-  SSGI__P(L, S3HO,    SLABS,    1, 2, 9,  4, 0, 0, 0,     4.7f,  3.5f,  .03f,  0,     .48f,  0,    0,     0),
-  SSGI__P(L, S3HO,    SLABS,    0, 2, 9,  4, 0, 0, 0,     13.0f, 9.25f, .017f, 0,     .44f,  0,    0,     0),
-  SSGI__P(L, SSDO,    WIDTH,    1, 1, 5,  0, 0, 0, 0,     1.69f, 1.24f, .041f, .68f,  0,     0,    0,     0),
-  SSGI__P(L, SSDO,    WIDTH,    1, 2, 9,  0, 0, 0, 0,     2.41f, 2.21f, .008f, .59f,  0,     0,    0,     0),
-  SSGI__P(L, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     6.23f, 6.53f, 0,     .53f,  0,     0,    0,     0),
-  SSGI__P(L, SSDO,    SLABS,    1, 1, 12, 0, 0, 0, 0,     3.48f, 2.12f, .04f,  0,     .52f,  0,    .001f, 0),
-  SSGI__P(L, SSDO,    SLABS,    1, 2, 9,  0, 0, 0, 0,     4.69f, 2.75f, .027f, 0,     .45f,  0,    0,     0),
-  SSGI__P(L, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     14.0f, 8.27f, .011f, 0,     .42f,  0,    0,     0),
-  SSGI__P(L, SSDO,    SLABS,    1, 1, 6,  0, 1, 0, 0,     3.61f, 2.4f,  .022f, 0,     .5f,   0,    .003f, 0),
-  SSGI__P(B, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
-  SSGI__P(B, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .66f,  .56f,  .034f, 1.17f, 0,     0,    0,     0),
-  SSGI__P(B, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.3f,  1.11f, .01f,  1.12f, 0,     0,    0,     .72f),
-  SSGI__P(B, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     1.96f, 1.83f, 0,     1.0f,  0,     0,    0,     0),
-  SSGI__P(B, S3HO,    WIDTH,    1, 1, 5,  4, 0, 0, 0,     3.52f, 2.57f, .3f,   .025f, 0,     0,    .049f, 0),
-  SSGI__P(B, S3HO,    WIDTH,    1, 2, 9,  4, 0, 0, 0,     4.92f, 3.86f, .23f,  .048f, 0,     0,    .027f, 0),
-  SSGI__P(B, S3HO,    SLABS,    1, 2, 9,  4, 0, 0, 0,     7.35f, 4.41f, .19f,  0,     .051f, 0,    .023f, 0),
-  SSGI__P(B, SSDO,    WIDTH,    1, 1, 5,  0, 0, 0, 0,     3.55f, 2.6f,  .24f,  .032f, 0,     0,    .027f, .059f),
-  SSGI__P(B, SSDO,    WIDTH,    1, 2, 9,  0, 0, 0, 0,     4.84f, 3.76f, .17f,  .038f, 0,     0,    .021f, 0),
-  SSGI__P(B, SSDO,    SLABS,    1, 2, 9,  0, 0, 0, 0,     6.93f, 4.3f,  .14f,  0,     .034f, 0,    .021f, 0),
-  SSGI__P(B, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     10.8f, 8.78f, .14f,  .042f, 0,     0,    .022f, 0),
-  SSGI__P(B, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     16.9f, 10.6f, .11f,  0,     .039f, 0,    .021f, 0),
-  SSGI__P(O, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,    0,     0),
-  SSGI__P(O, AOF,     WIDTH,    0, 0, 0,  0, 0, 4, 0,     .06f,  .05f,  .014f, 0,     0,     0,    0,     0),
-  SSGI__P(O, AOF,     WIDTH,    0, 0, 0,  0, 0, 8, 0,     .06f,  .05f,  .011f, 0,     0,     0,    0,     0)
+          |  |        |         |  |  |   |  |  |  |      CPU    GPU    E      hsao   slabs  kin    |     |      1e-4 */
+  SSGI__P(V, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,     0,    0,     0),
+  SSGI__P(V, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .64f,  .56f,  .015f, .34f,  0,     .73f,  0,    0,     .77f),
+  SSGI__P(V, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.27f, 1.11f, 0,     0,     0,     1.0f,  0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    1, 1, 8,  0, 0, 0, 0,     1.45f, 1.31f, .004f, 1.07f, 0,     0,     0,    0,     .099f),
+  SSGI__P(V, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     2.03f, 1.83f, 0,     1.0f,  0,     0,     0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    1, 2, 12, 0, 0, 0, 0,     2.33f, 2.32f, 0,     .93f,  0,     0,     0,    0,     .11f),
+  SSGI__P(V, HSAO,    WIDTH,    1, 1, 12, 0, 1, 0, 0,     1.97f, 2.15f, 0,     .86f,  0,     0,     0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    1, 3, 16, 0, 0, 0, 0,     3.34f, 3.81f, 0,     .88f,  0,     0,     0,    0,     .12f),
+  SSGI__P(V, HSAO,    WIDTH,    0, 2, 7,  0, 0, 0, 0,     4.92f, 4.58f, 0,     .9f,   0,     0,     0,    0,     0),
+  SSGI__P(V, HSAO,    WIDTH,    0, 2, 12, 0, 0, 0, 0,     6.42f, 6.84f, 0,     .81f,  0,     0,     0,    0,     0),
+  SSGI__P(V, HSAO,    BACK,     1, 1, 8,  0, 0, 0, 0,     1.39f, 1.33f, .01f,  .41f,  .71f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    BACK,     1, 2, 8,  0, 0, 0, 0,     1.99f, 1.85f, .006f, .32f,  .72f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    1, 1, 8,  0, 0, 0, 0,     2.7f,  1.59f, .004f, 0,     1.09f, 0,     0,    0,     .16f),
+  SSGI__P(V, HSAO,    SLABS,    1, 2, 8,  0, 0, 0, 0,     3.55f, 2.3f,  0,     0,     1.0f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    1, 2, 12, 0, 0, 0, 0,     4.63f, 3.0f,  0,     0,     .92f,  0,     0,    0,     .097f),
+  SSGI__P(V, HSAO,    SLABS,    1, 1, 12, 0, 1, 0, 0,     3.57f, 2.54f, 0,     0,     .84f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    1, 3, 16, 0, 0, 0, 0,     6.52f, 5.05f, 0,     0,     .86f,  0,     0,    0,     .19f),
+  SSGI__P(V, HSAO,    SLABS,    0, 2, 7,  0, 0, 0, 0,     10.1f, 5.89f, 0,     0,     .88f,  0,     0,    0,     0),
+  SSGI__P(V, HSAO,    SLABS,    0, 2, 12, 0, 0, 0, 0,     12.8f, 9.02f, 0,     0,     .77f,  0,     0,    0,     0),
+  SSGI__P(V, DSS,     WIDTH,    3, 2, 8,  0, 0, 0, .03f,  1.28f, 1.84f, .024f, .86f,  0,     0,     .039f,0,     .6f),
+  SSGI__P(V, DSS,     WIDTH,    1, 2, 8,  0, 0, 0, .03f,  2.52f, 3.28f, .006f, .83f,  0,     0,     .012f,0,     .07f),
+  SSGI__P(V, DSS,     WIDTH,    0, 2, 7,  0, 0, 0, .03f,  5.4f,  8.1f,  0,     .82f,  0,     0,     0,    0,     0),
+  SSGI__P(L, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,     0,    0,     0),
+  SSGI__P(L, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .64f,  .56f,  0,     .25f,  0,     .81f,  0,    .006f, .46f),
+  SSGI__P(L, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.27f, 1.11f, 0,     0,     0,     1.0f,  0,    0,     0),
+  SSGI__P(L, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     2.05f, 1.83f, 0,     1.0f,  0,     0,     0,    0,     0),
+  SSGI__P(L, HSAO,    SLABS,    1, 2, 8,  0, 0, 0, 0,     3.47f, 2.3f,  0,     0,     1.0f,  0,     0,    0,     0),
+  SSGI__P(L, HSAO,    SLABS,    1, 1, 12, 0, 1, 0, 0,     3.64f, 2.54f, 0,     0,     .94f,  0,     0,    0,     .024f),
+  SSGI__P(L, S3HO,    WIDTH,    1, 1, 5,  4, 0, 0, 0,     2.45f, 1.83f, .019f, .009f, 0,     1.11f, 0,    .008f, .062f),
+  SSGI__P(L, S3HO,    WIDTH,    1, 2, 9,  2, 0, 0, 0,     2.72f, 2.69f, .003f, .13f,  0,     .77f,  0,    .021f, .004f),
+  SSGI__P(L, S3HO,    WIDTH,    1, 2, 9,  4, 0, 0, 0,     2.95f, 2.81f, 0,     0,     0,     1.0f,  0,    0,     0),
+  SSGI__P(L, S3HO,    SLABS,    1, 2, 9,  4, 0, 0, 0,     4.7f,  3.5f,  0,     0,     .052f, .77f,  0,    .008f, 0),
+  SSGI__P(L, S3HO,    SLABS,    0, 2, 9,  4, 0, 0, 0,     13.7f, 9.75f, 0,     0,     0,     .76f,  0,    .002f, 0),
+  SSGI__P(L, SSDO,    WIDTH,    1, 1, 5,  0, 0, 0, 0,     1.69f, 1.24f, .006f, .13f,  0,     1.05f, 0,    0,     .23f),
+  SSGI__P(L, SSDO,    WIDTH,    1, 2, 9,  0, 0, 0, 0,     2.41f, 2.21f, 0,     0,     0,     .97f,  0,    0,     0),
+  SSGI__P(L, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     6.63f, 6.95f, 0,     0,     0,     .84f,  0,    0,     0),
+  SSGI__P(L, SSDO,    SLABS,    1, 1, 12, 0, 0, 0, 0,     3.48f, 2.12f, 0,     0,     .19f,  .71f,  0,    .004f, 0),
+  SSGI__P(L, SSDO,    SLABS,    1, 2, 9,  0, 0, 0, 0,     4.69f, 2.75f, 0,     0,     .041f, .78f,  0,    0,     0),
+  SSGI__P(L, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     14.7f, 8.7f,  0,     0,     0,     .71f,  0,    0,     0),
+  SSGI__P(L, SSDO,    SLABS,    1, 1, 6,  0, 1, 0, 0,     3.61f, 2.4f,  0,     0,     .074f, .77f,  0,    .003f, 0),
+  SSGI__P(B, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,     0,    0,     0),
+  SSGI__P(B, HSAO,    CONSTANT, 3, 2, 8,  0, 0, 0, 0,     .66f,  .56f,  0,     .23f,  .006f, .79f,  0,    .006f, .46f),
+  SSGI__P(B, HSAO,    CONSTANT, 1, 1, 10, 0, 0, 0, 0,     1.3f,  1.11f, 0,     0,     0,     1.0f,  0,    0,     0),
+  SSGI__P(B, HSAO,    WIDTH,    1, 2, 8,  0, 0, 0, 0,     1.96f, 1.83f, 0,     1.0f,  0,     0,     0,    0,     0),
+  SSGI__P(B, S3HO,    WIDTH,    1, 1, 5,  4, 0, 0, 0,     3.52f, 2.57f, 0,     0,     0,     1.14f, 0,    .018f, 0),
+  SSGI__P(B, S3HO,    WIDTH,    1, 2, 9,  4, 0, 0, 0,     4.92f, 3.86f, 0,     0,     0,     1.0f,  0,    0,     0),
+  SSGI__P(B, S3HO,    SLABS,    1, 2, 9,  4, 0, 0, 0,     7.35f, 4.41f, 0,     0,     0,     .85f,  0,    .009f, 0),
+  SSGI__P(B, SSDO,    WIDTH,    1, 1, 5,  0, 0, 0, 0,     3.55f, 2.6f,  0,     0,     0,     1.06f, 0,    0,     .33f),
+  SSGI__P(B, SSDO,    WIDTH,    1, 2, 9,  0, 0, 0, 0,     4.84f, 3.76f, 0,     0,     0,     .83f,  0,    0,     .014f),
+  SSGI__P(B, SSDO,    SLABS,    1, 2, 9,  0, 0, 0, 0,     6.93f, 4.3f,  0,     0,     0,     .72f,  0,    0,     0),
+  SSGI__P(B, SSDO,    WIDTH,    0, 2, 9,  0, 0, 0, 0,     12.4f, 10.1f, 0,     0,     0,     .72f,  0,    0,     0),
+  SSGI__P(B, SSDO,    SLABS,    0, 2, 9,  0, 0, 0, 0,     19.0f, 11.9f, 0,     0,     0,     .61f,  0,    0,     0),
+  SSGI__P(O, NOTHING, WIDTH,    0, 0, 0,  0, 0, 0, 0,     0,     0,     1.0f,  0,     0,     0,     0,    0,     0),
+  SSGI__P(O, AOF,     WIDTH,    0, 0, 0,  0, 0, 4, 0,     .06f,  .05f,  .014f, 0,     0,     0,     0,    0,     0),
+  SSGI__P(O, AOF,     WIDTH,    0, 0, 0,  0, 0, 8, 0,     .06f,  .05f,  .011f, 0,     0,     0,     0,    0,     0)
 };
 /* clang-format on */
+
+/* A table of the filter radii that the presets have after one frame. The columns are resolutions: full, half, none,
+   quarter. With history the radius is 1. */
+static const signed char ssgi__plan_filters[SSGI_PLAN_METHOD_AOF + 1][4] = {
+    { 0, 0, 0, 0 }, /* nothing */
+    { 2, 2, 0, 1 }, /* hsao */
+    { 2, 1, 0, 1 }, /* ssdo */
+    { 2, 2, 0, 1 }, /* s3ho */
+    { 1, 2, 0, 1 }, /* dss */
+    { 0, 0, 0, 0 }  /* aof */
+};
 
 /* The defaults of numbers that a scene leaves 0. */
 #define SSGI__PLAN_RADIUS 0.15   /* screen_radius */
@@ -4951,19 +4966,34 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 #define SSGI__PLAN_QUARTER 3     /* a row's resolution: SSGI_GL_RESOLUTION_QUARTER */
 /* The milliseconds of an unblurred 16-sample ssao on a Radeon RX 6800 at 1920x1080, modelled (make cost). */
 #define SSGI__PLAN_MS 0.184
+/* A prediction meets an error that it exceeds by 4 %. With more, plans would miss too often; with less, they would
+   often be dearer than they need to be. */
+#define SSGI__PLAN_GOAL 1.04
 /* An error below a tenth of the one asked for is negligible: squared errors add, so it adds a hundredth. */
 #define SSGI__PLAN_NEGLIGIBLE 0.1
 
 /* The energies of a clear sky's bands are those of the examples' "sky". */
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
 
-/* Two tables of weights (make fit), the first for surveys without slabs, the second for surveys with slabs. A row gives
-   a squared error, of no occlusion, of hsao or of hsao with slabs, as the sum of a survey's squares times the row's
-   weights. The columns are the survey's members: occlusion, detail, solid, slabs. */
-static const float ssgi__plan_survey[2][3][4] = {
-    { { 1.29f, 0.454f, 0, 0 }, { 0.0306f, 3.51f, 0, 0 }, { 0.0188f, 3.31f, 0, 0 } },
-    { { 1.23f, 0, 0, 2.96f }, { 0.00608f, 2.47f, 0, 2.5f }, { 0.00185f, 2.56f, 0, 1.69f } }
+/* Tables of weights (make fit) for visibility, light and light with a bounce; of each the first is for surveys without
+   slabs, the second for surveys with slabs. A row gives a squared error, of no occlusion, of hsao or of hsao with
+   slabs, as the sum of a survey's squares times the row's weights. The columns are the survey's members: occlusion,
+   detail, solid, slabs. */
+static const float ssgi__plan_survey[3][2][3][4] = {
+    { { { 1.25f, 0, 0, 0 }, { .091f, 2.99f, 0, 0 }, { .0725f, 2.6f, 0, 0 } },
+      { { 1.27f, 0, 0, .632f }, { .0602f, 2.38f, 0, 1.34f }, { .0609f, 2.22f, 0, .609f } } },
+    { { { 1.3f, 0, 0, 0 }, { .335f, .843f, 0, 0 }, { .292f, 1.04f, 0, 0 } },
+      { { 1.28f, 0, 0, 1.4f }, { .302f, .27f, 0, 1.48f }, { .282f, .679f, 0, .721f } } },
+    { { { .943f, 0, 0, 0 }, { .414f, .853f, 0, 0 }, { .358f, 1.37f, 0, 0 } },
+      { { .908f, 0, 0, 1.44f }, { .394f, .289f, 0, 1.21f }, { .379f, 1.13f, 0, 0 } } }
 };
+
+/* A table of weights (make fit) by which the squared errors of hsao's preset FAST and of s3ho follow from others, if
+   they are not known: from those of no occlusion and of hsao, and from no occlusion times the light's unevenness. The
+   rows are visibility, light, and light with a bounce. */
+static const float ssgi__plan_kin[3][2][3] = { { { .0283f, .983f, 0 }, { 0, 0, 0 } },
+                                               { { .0454f, .939f, 0 }, { 0, .704f, 0 } },
+                                               { { .0118f, 1.04f, 0 }, { .173f, .111f, .0407f } } };
 
 /* A table of costs by device, software and then a GPU: the costs of splats and fields, which are added to a choice's
    own. */
@@ -4982,45 +5012,63 @@ static const float *ssgi__plan_energy(const ssgi_plan_scene *s)
     return s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
 }
 
-/* Writes the squared errors of no occlusion, of hsao, and of hsao with slabs. They come from the calibration, else from
-   the survey, else from a guess. A calibration without slabs scales the error of slabs from the survey or the guess. */
-SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
+/* Returns the light's energy above band 0 over its energy in band 0; 0 for visibility. */
+SSGI__FN double ssgi__plan_uneven(const ssgi_plan_scene *s)
+{
+    const float *energy = ssgi__plan_energy(s);
+    double uneven = 0.0;
+    for (int l = 1; l < 4 && s->wanted; ++l) uneven += (double)energy[l] / (double)energy[0];
+    return uneven;
+}
+
+/* Writes the squared errors of no occlusion, of hsao, of hsao with slabs, of hsao's preset FAST and of s3ho. They come
+   from the calibration, else from the survey, else from a guess. A calibration without slabs scales the error of slabs
+   from the survey or the guess. The last two, if they are not known, follow from the first two. */
+SSGI__FN void ssgi__plan_errors(double square[5], const ssgi_plan_scene *s)
 {
     static const double guess[3] = { 0.02, 0.003, 0.003 };
-    const double known[3] = { (double)s->calibration.unoccluded, (double)s->calibration.hsao,
-                              (double)s->calibration.slabs };
+    const double known[5] = { (double)s->calibration.unoccluded, (double)s->calibration.hsao,
+                              (double)s->calibration.slabs, (double)s->calibration.fast, (double)s->calibration.s3ho };
     const float v[4] = { s->survey.occlusion, s->survey.detail, s->survey.solid, s->survey.slabs };
+    const int of = s->wanted == SSGI_PLAN_WANTED_LIGHT ? 1 : s->wanted == SSGI_PLAN_WANTED_BOUNCE ? 2 : 0;
     for (int k = 0; k < 3; ++k) {
         square[k] = v[0] > 0.0f ? 1e-6 : guess[k];
         for (int i = 0; i < 4 && v[0] > 0.0f; ++i)
-            square[k] += (double)ssgi__plan_survey[v[3] > 0.0f][k][i] * (double)v[i] * (double)v[i];
+            square[k] += (double)ssgi__plan_survey[of][v[3] > 0.0f][k][i] * (double)v[i] * (double)v[i];
     }
-    if (!s->calibration.known) return;
-    square[2] *= known[1] * known[1] / square[1];
-    for (int k = 0; k < (known[2] > 0.0 ? 3 : 2); ++k) square[k] = known[k] * known[k];
+    if (s->calibration.known) {
+        square[2] *= known[1] * known[1] / square[1];
+        for (int k = 0; k < (known[2] > 0.0 ? 3 : 2); ++k) square[k] = known[k] * known[k];
+    }
+    for (int k = 3; k < 5; ++k) {
+        const float *const weight = ssgi__plan_kin[of][k - 3];
+        square[k] = s->calibration.known && known[k] > 0.0
+                      ? known[k] * known[k]
+                      : ((double)weight[0] + (double)weight[2] * ssgi__plan_uneven(s)) * square[0]
+                            + (double)weight[1] * square[1];
+    }
 }
 
 /* Writes the terms by which a choice's error is predicted for a scene; SSGI__PLAN_COARSE depends on the choice's
    surfel_size. */
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
-    const float *energy = ssgi__plan_energy(s);
     const double size = (double)row->surfel_size / ssgi__plan_radius(s);
-    double square[3], uneven = 0.0;
+    double square[5];
     ssgi__plan_errors(square, s);
-    for (int l = 1; l < 4 && s->wanted; ++l) uneven += (double)energy[l] / (double)energy[0];
     term[SSGI__PLAN_UNOCCLUDED] = square[0];
     term[SSGI__PLAN_HSAO_ERROR] = square[1];
     term[SSGI__PLAN_SLABS_ERROR] = square[2];
+    term[SSGI__PLAN_KIN_ERROR] = square[row->thickness == SSGI_PLAN_THICKNESS_CONSTANT ? 3 : 4];
     term[SSGI__PLAN_COARSE] = square[0] * size;
-    term[SSGI__PLAN_UNEVEN] = square[0] * uneven;
+    term[SSGI__PLAN_UNEVEN] = square[0] * ssgi__plan_uneven(s);
     term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
 /* Returns the error asked for in the measure of `wanted`. */
 SSGI__FN double ssgi__plan_goal(const ssgi_plan_scene *s)
 {
-    double square[3];
+    double square[5];
     if (s->unit != SSGI_PLAN_UNIT_RELATIVE) return (double)s->error;
     ssgi__plan_errors(square, s);
     return (double)s->error * sqrt(square[0]);
@@ -5084,7 +5132,8 @@ SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
                 "scene.surfels, .splats: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
     SSGI__CHECK(ssgi__finite(s->calibration.unoccluded) && ssgi__finite(s->calibration.hsao)
-                    && ssgi__finite(s->calibration.slabs),
+                    && ssgi__finite(s->calibration.slabs) && ssgi__finite(s->calibration.fast)
+                    && ssgi__finite(s->calibration.s3ho),
                 "scene.calibration: must be finite");
     SSGI__CHECK(ssgi__positive(&s->survey.occlusion, 1) && ssgi__positive(&s->survey.detail, 1)
                     && ssgi__positive(&s->survey.solid, 1) && ssgi__positive(&s->survey.slabs, 1),
@@ -5143,7 +5192,7 @@ SSGI__FN char *ssgi__plan_price(char *at, const ssgi_plan *plan, const ssgi_plan
 SSGI__FN char *ssgi__plan_reason(char *at, const ssgi_plan *plan, const ssgi_plan_scene *s)
 {
     const float *energy = ssgi__plan_energy(s);
-    double square[3];
+    double square[5];
     ssgi__plan_errors(square, s);
     for (int k = 0; k < 3; ++k) square[k] = sqrt(square[k]);
     if (!plan->meets && s->budget > 0.0f && plan->dearer >= 0)
@@ -5221,11 +5270,11 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     ssgi_plan best;
     SSGI__THERE(plan);
     SSGI__TRY(ssgi__plan_bad(s, why));
-    const double goal = ssgi__plan_goal(s);
+    const double goal = SSGI__PLAN_GOAL * ssgi__plan_goal(s);
     const float budget = s->budget > 0.0f ? s->budget : SSGI_FAR;
-    const double least = ssgi__plan_least(s, budget);
-    ssgi_plan_choice(&best, ssgi__plan_cheapest(s, 1.05 * (least > goal ? least : goal), budget), s);
-    best.meets = s->error > 0.0f && (double)best.error <= 1.05 * goal;
+    const double nearest = 1.05 * ssgi__plan_least(s, budget);
+    ssgi_plan_choice(&best, ssgi__plan_cheapest(s, nearest > goal ? nearest : goal, budget), s);
+    best.meets = s->error > 0.0f && (double)best.error <= goal;
     if (best.cost > 0.0f) {
         const float less = best.cost / 1.05f;
         best.cheaper = ssgi__plan_cheapest(s, 1.05 * ssgi__plan_least(s, less), less);
@@ -5254,12 +5303,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     plan->samples = row->samples;
     plan->bands = row->bands;
     plan->history = row->history;
-    /* presets of hsao and the methods s3ho: radius 2 after one frame of a gather at half resolution, else 1 */
-    plan->filter_radius = row->slices < 1 ? 0
-                        : row->resolution == 1 && !row->history
-                                  && (row->method == SSGI_PLAN_METHOD_HSAO || row->method == SSGI_PLAN_METHOD_S3HO)
-                            ? 2
-                            : 1;
+    plan->filter_radius = row->history ? 1 : ssgi__plan_filters[row->method][row->resolution];
     plan->field_resolution = row->field_resolution;
     plan->surfel_size = row->surfel_size;
     for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
@@ -5389,8 +5433,9 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
    Plans: plan_scene.unit RELATIVE asks for a part of the error without occlusion. ssgi_plan.unoccluded is that error,
    .choice, .cheaper and .dearer are numbers for ssgi_plan_choice, and .why has several sentences, which begin "Cannot
    be met" where they began "cannot be met". build/render --plan takes 40% for 0.4, counts costs of an RX 6800, not of
-   software, and has the exit status 1 if no choice meets the error. The choices are today's presets, with hsao-quarter;
-   predictions of visibility were fitted to them anew.
+   software, and has the exit status 1 if no choice meets the error. The choices are today's presets, with hsao-quarter,
+   and predictions were fitted to them anew. A calibration also has the errors of hsao's preset FAST and of s3ho:
+   ssgi_plan_calibrate has one more argument, fast, behind slabs.
 
    Presets are quieter: hsao BALANCED has 2x8 instead of 2x6 and a filter of radius 2. FAST and BEST, the methods
    ssdo-best, dss and those of s3ho have that filter, too. After a gather at half resolution a filter of radius 2 is a

@@ -119,6 +119,9 @@ static inline void kit_mirror(const float d[3], const float n[3], float mirrored
     for (int i = 0; i < 3; ++i) mirrored[i] = d[i] - along * n[i];
 }
 
+/* Finds what a pixel's ray, which it also returns, meets between the camera's planes. 0: nothing. */
+int    kit_camera_hit(ssgi_hit *hit, float origin[3], float direction[3], const ssgi_trace *trace,
+                      const kit_camera *camera, int x, int y);
 void   kit_place_of(const kit_mesh *mesh, const ssgi_hit *hit, const float direction[3], kit_place *at);
 /* Computes an image of these channels. job: the caller sets pixel, background and the members that pixel reads. */
 int    kit_truth_run(kit_truth *job, kit_image *out, const char *channels, const kit_scene *scene,

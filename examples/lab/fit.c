@@ -71,8 +71,9 @@ static void literal(double v, int width, const char *end)
 static int read_row(measured *m, int *fits, const char *line)
 {
     ssgi_plan_scene *s = &m->scene;
-    float *const v[] = { &s->calibration.unoccluded, &s->calibration.hsao, &s->calibration.slabs, &s->survey.occlusion,
-                         &s->survey.detail, &s->survey.solid, &s->survey.slabs, &s->screen_radius,
+    float *const v[] = { &s->calibration.unoccluded, &s->calibration.hsao, &s->calibration.slabs, &s->calibration.fast,
+                         &s->calibration.s3ho, &s->survey.occlusion, &s->survey.detail, &s->survey.solid,
+                         &s->survey.slabs, &s->screen_radius,
                          &s->energy[0], &s->energy[1], &s->energy[2], &s->energy[3] };
     int at;
     memset(m, 0, sizeof *m);
@@ -103,6 +104,10 @@ static void know(measured *row, int count)
             if (r->method == SSGI_PLAN_METHOD_NOTHING) c->unoccluded = (float)row[i].error;
             if (balanced && !r->thickness) c->hsao = (float)row[i].error;
             if (balanced && r->thickness == SSGI_PLAN_THICKNESS_SLABS) c->slabs = (float)row[i].error;
+            if (r->thickness == SSGI_PLAN_THICKNESS_CONSTANT && r->resolution == 1) c->fast = (float)row[i].error;
+            if (r->method == SSGI_PLAN_METHOD_S3HO && r->resolution == 1 && r->slices == 2 && r->bands == 4
+                && !r->thickness)
+                c->s3ho = (float)row[i].error;
         }
     }
 }
@@ -136,28 +141,53 @@ static void fit_splats(int count, double own[MOST_TERMS])
             2 * spread, n);
 }
 
-/* Fits the prediction of a calibration of visibility from a survey alone, without slabs and with slabs. */
-static void fit_survey(int count)
+static const char *const wanted_names[] = { "visibility", "light", "bounce" };
+
+/* Returns whether a line is the first of its view and wanted quantity. */
+static int is_first(int i)
+{
+    return !i || row[i - 1].scene.wanted != row[i].scene.wanted || strcmp(row[i - 1].view, row[i].view) != 0;
+}
+
+/* Fits the prediction of a calibration from a survey alone, without slabs and with slabs. */
+static void fit_survey(int count, int wanted, int with, int of)
 {
     static const char *const names[3] = { "nothing", "hsao", "slabs" };
     double x[MOST_TERMS];
-    for (int with = 0; with < 2; ++with)
-        for (int of = 0; of < 3; ++of) {
-            int n = 0;
-            for (int i = 0; i < count; ++i) {
-                const ssgi_plan_scene *s = &row[i].scene;
-                const ssgi_survey *of_frame = with ? &s->survey : &row[i].captured;
-                const float known[3] = { s->calibration.unoccluded, s->calibration.hsao, s->calibration.slabs },
-                            v[4] = { of_frame->occlusion, of_frame->detail, of_frame->solid, of_frame->slabs };
-                if (s->wanted || (i && !strcmp(row[i - 1].view, row[i].view))) continue;
-                equations[n].square = (double)known[of] * (double)known[of];
-                for (int k = 0; k < 4; ++k) equations[n].term[k] = k < 3 + with ? (double)v[k] * (double)v[k] : 0;
-                ++n;
-            }
-            const double spread = solve(x, equations, n, 4);
-            fprintf(stderr, "survey %s slabs, %s: %.4g %.4g %.4g %.4g, spread %.3f of %d\n", with ? "with" : "without",
-                    names[of], x[0], x[1], x[2], x[3], spread, n);
-        }
+    int n = 0;
+    for (int i = 0; i < count; ++i) {
+        const ssgi_plan_scene *s = &row[i].scene;
+        const ssgi_survey *of_frame = with ? &s->survey : &row[i].captured;
+        const float known[3] = { s->calibration.unoccluded, s->calibration.hsao, s->calibration.slabs },
+                    v[4] = { of_frame->occlusion, of_frame->detail, of_frame->solid, of_frame->slabs };
+        if (s->wanted != wanted || !is_first(i)) continue;
+        equations[n].square = (double)known[of] * (double)known[of];
+        for (int k = 0; k < 4; ++k) equations[n].term[k] = k < 3 + with ? (double)v[k] * (double)v[k] : 0;
+        ++n;
+    }
+    const double spread = solve(x, equations, n, 4);
+    fprintf(stderr, "%s, survey %s slabs, %s: %.4g %.4g %.4g %.4g, spread %.3f of %d\n", wanted_names[wanted],
+            with ? "with" : "without", names[of], x[0], x[1], x[2], x[3], spread, n);
+}
+
+/* Fits the prediction of the error of hsao's preset FAST, or of s3ho, from the others. */
+static void fit_kin(int count, int wanted, int is_s3ho)
+{
+    double x[MOST_TERMS];
+    int n = 0;
+    for (int i = 0; i < count; ++i) {
+        const ssgi_plan_scene *s = &row[i].scene;
+        const double e = (double)s->calibration.unoccluded, hsao = (double)s->calibration.hsao,
+                     own = (double)(is_s3ho ? s->calibration.s3ho : s->calibration.fast);
+        if (s->wanted != wanted || !is_first(i)) continue;
+        equations[n].square = own * own;
+        equations[n].term[0] = e * e;
+        equations[n].term[1] = hsao * hsao;
+        equations[n++].term[2] = e * e * ssgi__plan_uneven(s);
+    }
+    const double spread = solve(x, equations, n, 3);
+    fprintf(stderr, "%s, %s: %.4g %.4g %.4g, spread %.3f of %d\n", wanted_names[wanted], is_s3ho ? "s3ho" : "fast",
+            x[0], x[1], x[2], spread, n);
 }
 
 /* Reads the lines of the csv that fit the plan. Returns how many; -1: one is no row. */
@@ -209,6 +239,8 @@ static int equations_of(double costs[MOST_ROWS], int *timed, int c, int count)
         /* the error of a row follows the calibration of the row's own thickness model */
         if (!r->thickness && r->method != SSGI_PLAN_METHOD_DSS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
         if (r->thickness == SSGI_PLAN_THICKNESS_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
+        if (r->wanted == SSGI_PLAN_WANTED_VISIBILITY && r->thickness != SSGI_PLAN_THICKNESS_CONSTANT)
+            equations[n].term[SSGI__PLAN_KIN_ERROR] = 0;
         ++n;
     }
     return n;
@@ -244,7 +276,7 @@ static void print_choice(int c, int count, double own[MOST_TERMS], double gpu)
     literal(cost_of(costs, timed, r, own[own_term(r)]), 5, ",");
     literal(gpu > 0 ? gpu : (double)r->cost[1], 5, ",");
     for (int k = 0; k < MOST_TERMS; ++k)
-        literal(x[k] < 1e-3 ? 0 : x[k], "555450"[k] - '0', k + 1 < MOST_TERMS ? "," : ")");
+        literal(x[k] < 1e-3 ? 0 : x[k], "5555450"[k] - '0', k + 1 < MOST_TERMS ? "," : ")");
     puts(c + 1 < SSGI_PLAN_CHOICES ? "," : "");
     fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
 }
@@ -276,7 +308,8 @@ int main(int argc, char **argv)
     if (count < 0) return 2;
     know(row, count);
     fit_splats(count, own);
-    fit_survey(count);
+    for (int k = 0; k < 18; ++k) fit_survey(count, k / 6, k / 3 % 2, k % 3);
+    for (int k = 0; k < 6; ++k) if (k != 1) fit_kin(count, k / 2, k % 2);       /* 1: visibility by s3ho */
     for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) print_choice(c, count, own, gpu[c]);
     return 0;
 }

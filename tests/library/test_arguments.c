@@ -96,7 +96,7 @@ CALL(seen, ssgi_trace_visibility(P(0), P(1), P(2), P(3), 1, F(4), N(5), N(6), wh
 CALL(caps, ssgi_cap_table(P(0), N(1), why))
 CALL(blocked, ssgi_cap_light(P(0), P(1), N(2), F(3), P(4), P(5), why))
 CALL(bake, ssgi_field_bake(P(0), P(1), P(2), sizeof work, P(3), P(4), Z(5), NULL, Z(6), why))
-CALL(calibrate, ssgi_plan_calibrate(P(0), P(1), P(2), P(3), P(4), NULL, Z(5), N(6), F(7), why))
+CALL(calibrate, ssgi_plan_calibrate(P(0), P(1), P(2), P(3), P(4), NULL, NULL, Z(5), N(6), F(7), why))
 CALL(plan, ssgi_plan_make(P(0), P(1), why))
 CALL(frame_of, ssgi_gl_frame_init(P(0), P(1), F(2), why))
 CALL(last, ssgi_gl_frame_history(P(0), P(1), P(2), P(3), why))
@@ -205,7 +205,7 @@ static const struct call {
       { OUT("plan"), GIVEN("scene", &scene), MEMBER("scene", &scene.error, 1), MEMBER("scene", &scene.budget, 1),
         MEMBER("scene", &scene.screen_radius, 1), MEMBER("scene", &scene.survey, sizeof scene.survey / sizeof(float)),
         MEMBER("scene", scene.energy, sizeof scene.energy / sizeof(float)), MEMBER("scene", &scene.depth_pass, 1),
-        MEMBER("scene", &scene.coverage, 1), MEMBER("scene", &scene.calibration.unoccluded, 3) } },
+        MEMBER("scene", &scene.coverage, 1), MEMBER("scene", &scene.calibration.unoccluded, 5) } },
     { "ssgi_gl_frame_init", frame_of, { OUT("frame"), GIVEN("view", &view), NUMBER("radius", 1, 0, -1) } },
     { "ssgi_gl_frame_history", last,
       { OUT("frame"), GIVEN("view", &view), RIGID("main_world_to_view", rigid_), RIGID("last_world_to_view", other) } },

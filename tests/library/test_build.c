@@ -235,12 +235,12 @@ static void documentation(void)
     };
     /* code before the snippets: the input of a plan, a plane of 3000 points without occlusion */
     static const char *const given =
-        "    static float hsao[3000], best[3000], solid[3000], slabs[3000], position[9000], normal[9000], floor[9] = { "
-        "0, "
-        "0, 0, 1, 0, 0, 0, 0, -1 }, radius = 0.5f;\n"
+        "    static float hsao[3000], best[3000], solid[3000], slabs[3000], fast[3000], position[9000], normal[9000],\n"
+        "        floor[9] = { 0, 0, 0, 1, 0, 0, 0, 0, -1 }, radius = 0.5f;\n"
         "    static double memory[500]; ssgi_trace trace; ssgi_gl_desc desc; memset(&desc, 0, sizeof desc);\n"
         "    ssgi_trace_build(&trace, memory, sizeof memory, floor, 12, NULL, 1, NULL);\n"
-        "    for (int i = 0; i < 3000; ++i) hsao[i] = best[i] = solid[i] = slabs[i] = normal[3 * i + 1] = 1;\n";
+        "    for (int i = 0; i < 3000; ++i)\n"
+        "        hsao[i] = best[i] = solid[i] = slabs[i] = fast[i] = normal[3 * i + 1] = 1;\n";
     /* code before the snippets: a GL that only counts calls */
     static const char *const gl =
         "#include \"ssgi_gl.h\"\n#ifndef GL_FRAMEBUFFER\ntypedef unsigned GLuint, GLenum; static int draws, bound;\n"
@@ -412,8 +412,8 @@ static void formatted(void)
 static void surroundings(void)
 {
     static const struct { const char *folders; int most; } rows[] = {
-        { "tests", 26622 },         { "examples/lab", 16736 },
-        { "examples/kit", 16241 },  { "examples/tools", 5832 },
+        { "tests", 26716 },         { "examples/lab", 16770 },
+        { "examples/kit", 16254 },  { "examples/tools", 5832 },
         { "Makefile", 571 },        { "examples/web examples/viewer examples/hosts", 10104 }
     };
     char text[400];

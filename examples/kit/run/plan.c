@@ -1,6 +1,7 @@
 /* plan.c - measures a scene from a G-buffer for ssgi_plan_make, and turns the plan into a method of the kit. Declared
    in kit_gl.h. */
 #include "kit/kit_run.h"
+#include "kit/kit_trace.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,9 +9,10 @@
 
 enum { PLACES = 8000, PLACE_RAYS = 64, LIGHT_PLACES = 3000, LIGHT_RAYS = 768 };
 
-/* Indices of images from which a plan is made: ambient visibility of four kinds; slabs if scene or frame have them. */
-enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
-static const char *const pictures[PICTURES][2] = { { "hsao", "thickness=width" }, { "hsao-best", "thickness=width" },
+/* Indices of images from which a plan is made: ambient visibility of five kinds; slabs if scene or frame have them. */
+enum { HSAO, HSAO_FAST, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
+static const char *const pictures[PICTURES][2] = { { "hsao", "thickness=width" }, { "hsao-fast", "" },
+                                                   { "hsao-best", "thickness=width" },
                                                    { "hsao", "thickness=solid" }, { "hsao", "thickness=slabs" } };
 
 /* Surveys the images, without pixels that show no surface. */
@@ -35,13 +37,15 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
     const float *z = kit_image_channel(frame, "Z"),
                 *n[3] = { kit_image_channel(frame, "N.X"), kit_image_channel(frame, "N.Y"),
                           kit_image_channel(frame, "N.Z") };
-    float *places = malloc(8 * PLACES * sizeof *places), to_view[16], projection[16], origin[3], ray[3];
+    float *places = malloc(9 * PLACES * sizeof *places), to_view[16], projection[16], origin[3], ray[3];
     void *memory = malloc(size);
     size_t count = 0;
     ssgi_trace trace;
     ssgi_hit hit;
     const char *why = "";
     int failed = places && memory ? 0 : kit_fail(err, "out of memory");
+    kit_camera planes = *camera;
+    kit_camera_planes(&planes, &scene->mesh);
     kit_camera_matrices(camera, to_view, projection);
     if (!failed
         && ssgi_trace_build(&trace, memory, size, scene->mesh.position, 3 * sizeof(float), NULL, triangles, &why)
@@ -54,19 +58,19 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
         const size_t at = (size_t)y * (size_t)frame->width + (size_t)x;
         if (!(z[at] > 0)) continue;
         /* not from the frame's depth, whose rounding exceeds a small radius far away */
-        kit_camera_ray(camera, x, y, origin, ray);
-        if (!ssgi_trace_closest(&hit, &trace, origin, ray, 0, 1e12f)) continue;
+        if (!kit_camera_hit(&hit, origin, ray, &trace, &planes, x, y)) continue;
         for (int k = 0; k < 3; ++k) places[3 * count + (size_t)k] = origin[k] + hit.t * ray[k];
         for (int k = 0; k < 3; ++k)
             places[3 * (PLACES + count) + (size_t)k] =
                 to_view[4 * k] * n[0][at] + to_view[4 * k + 1] * n[1][at] + to_view[4 * k + 2] * n[2][at];
         places[6 * PLACES + count] = picture[HSAO].data[at];
-        places[7 * PLACES + count++] = picture[HSAO_SLABS].data[at];
+        places[7 * PLACES + count] = picture[HSAO_SLABS].data[at];
+        places[8 * PLACES + count++] = picture[HSAO_FAST].data[at];
     }
     if (!failed && !count) failed = kit_fail(err, "the picture shows nothing");
     if (!failed
         && ssgi_plan_calibrate(calibration, &trace, places, places + 3 * PLACES, places + 6 * PLACES,
-                               places + 7 * PLACES, count, PLACE_RAYS, radius, &why)
+                               places + 7 * PLACES, places + 8 * PLACES, count, PLACE_RAYS, radius, &why)
                != SSGI_OK)
         failed = kit_fail(err, "%s", why);
     free(places);
@@ -124,32 +128,39 @@ static int light_of(kit_image *open, kit_image *direct, kit_gbuffer *g, const ki
     return kit_run_picture(direct, g, world, "ssdo-points", "environment=none,bounce=none", radius, err);
 }
 
-/* Calibrates light: ray-traces one pixel in every block, and compares it with the environment's light dimmed by
-   visibility. */
+/* Calibrates light: ray-traces one pixel in every block, and compares it with s3ho, and with the environment's light
+   dimmed by visibility. */
 static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame, const kit_image *picture,
                            kit_gbuffer *g, const kit_world *world, float radius, int wanted, kit_error *err)
 {
-    static const int of[3] = { PICTURES /* none */, HSAO, HSAO_SLABS };
-    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / LIGHT_PLACES));
+    static const int of[4] = { PICTURES /* none */, HSAO, HSAO_SLABS, HSAO_FAST };
+    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / LIGHT_PLACES)),
+              bounce = wanted == SSGI_PLAN_WANTED_BOUNCE;
     const size_t pixels = (size_t)frame->width * (size_t)frame->height;
-    double error[3];
+    double error[5];
     kit_image truth, lit, open, direct;
     if (light_of(&open, &direct, g, world, radius, err)
-        || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR,
-                         wanted == SSGI_PLAN_WANTED_BOUNCE, LIGHT_RAYS, stride, err))
+        || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR, bounce,
+                         LIGHT_RAYS, stride, err))
         return -1;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 4; ++k) {
         if (kit_image_new(&lit, frame->width, frame->height, "Y", err)) return -1;
         for (size_t i = 0; i < pixels; ++i) lit.data[i] = of[k] < PICTURES ? picture[of[k]].data[i] : 1;
         if (kit_dim(&lit, &open, direct.data ? &direct : NULL, err)) return -1;
         error[k] = kit_plan_error(&lit, &truth, frame, wanted);
         kit_image_free(&lit);
     }
+    if (kit_run_picture(&lit, g, world, "s3ho", bounce ? "" : "indirect=none", radius, err)) return -1;
+    error[4] = kit_plan_error(&lit, &truth, frame, wanted);
+    kit_image_free(&lit);
     kit_image_free(&truth);
     kit_image_free(&open);
     kit_image_free(&direct);
     /* otherwise no pixel has light */
-    if (isfinite(error[0])) *calibration = (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2] };
+    if (isfinite(error[0]))
+        *calibration =
+            (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2], (float)error[3],
+                                (float)error[4] };
     return 0;
 }
 

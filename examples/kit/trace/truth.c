@@ -144,29 +144,28 @@ void kit_place_of(const kit_mesh *mesh, const ssgi_hit *hit, const float directi
     at->object = object_of(mesh, hit->triangle);
 }
 
+int kit_camera_hit(ssgi_hit *hit, float origin[3], float direction[3], const ssgi_trace *trace,
+                   const kit_camera *camera, int x, int y)
+{
+    double axes[3][3], d[3];
+    kit_camera_axes(camera, axes);
+    kit_camera_ray(camera, x, y, origin, direction);
+    for (int i = 0; i < 3; ++i) d[i] = (double)direction[i];
+    const double slant = -kit_dot(d, axes[2]);
+    if (!(camera->fovy > 0)) {                 /* from the near plane on: floats would round a distant eye */
+        kit_camera_point(camera, x, y, (double)camera->znear, origin);
+        return ssgi_trace_closest(hit, trace, origin, direction, 0, camera->zfar - camera->znear);
+    }
+    const float first = (float)((double)camera->znear / slant),
+                last = camera->depth == KIT_DEPTH_INFINITE ? 1e30f : (float)((double)camera->zfar / slant);
+    return ssgi_trace_closest(hit, trace, origin, direction, first, last);
+}
+
 static int truth_primary(const kit_truth *job, int x, int y, kit_place *at)
 {
     float origin[3], direction[3];
-    double axes[3][3], d[3];
     ssgi_hit hit;
-    kit_camera_axes(&job->camera, axes);
-    kit_camera_ray(&job->camera, x, y, origin, direction);
-    for (int i = 0; i < 3; ++i) d[i] = (double)direction[i];
-    /* near and far planes cut surfaces as in the G-buffer */
-    const double slant = -kit_dot(d, axes[2]);
-    if (!(job->camera.fovy > 0)) {             /* from the near plane on: floats would round a distant eye */
-        kit_camera_point(&job->camera, x, y, (double)job->camera.znear, origin);
-        if (!ssgi_trace_closest(&hit, &job->ambient.trace, origin, direction, 0,
-                                job->camera.zfar - job->camera.znear))
-            return 0;
-        kit_place_of(job->mesh, &hit, direction, at);
-        return 1;
-    }
-    const float  first = (float)((double)job->camera.znear / slant);
-    const float last = job->camera.depth == KIT_DEPTH_INFINITE && job->camera.fovy > 0
-                           ? 1e30f
-                           : (float)((double)job->camera.zfar / slant);
-    if (!ssgi_trace_closest(&hit, &job->ambient.trace, origin, direction, first, last)) return 0;
+    if (!kit_camera_hit(&hit, origin, direction, &job->ambient.trace, &job->camera, x, y)) return 0;
     kit_place_of(job->mesh, &hit, direction, at);
     return 1;
 }

@@ -119,6 +119,7 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
         if (isnan(r->error[i])) continue;
         const double value[] = { r->error[i], r->cost[i], (double)n->calibration.unoccluded,
                                  (double)n->calibration.hsao, (double)n->calibration.slabs,
+                                 (double)n->calibration.fast, (double)n->calibration.s3ho,
                                  (double)n->survey.occlusion, (double)n->survey.detail, (double)n->survey.solid,
                                  (double)n->survey.slabs, (double)n->screen_radius,
                                  (double)n->energy[0], (double)n->energy[1], (double)n->energy[2],
