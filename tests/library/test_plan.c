@@ -358,9 +358,9 @@ static void drawable(void)
         .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .surfels = 1, .occluders = 1, .map = 1
     };
     kit_error err = { "" };
-    kit_lighting light;
-    kit_scene scene;
-    kit_gbuffer g;
+    OWN(kit_lighting) light = { 0 };
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
     CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
     if (!lighten(&light, "white", NULL) || !see(&scene, &g, "boxes", NULL, 0, NULL, 16, 16)) return;
     const kit_world world = { &scene, &light };
@@ -371,7 +371,7 @@ static void drawable(void)
             ssgi_gl_desc *desc = &chain.desc;
             const char *why = "";
             kit_method m;
-            kit_run run;
+            OWN(kit_run) run = { 0 };
             ssgi_plan p;
             if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_METHOD_NOTHING) continue;
             if (bounces && p.method == SSGI_PLAN_METHOD_S3HO) desc->light.transfer = SSGI_GL_TRANSFER_BOTH;
@@ -403,11 +403,7 @@ static void drawable(void)
                        "choice %d: %s", i, err.text))
                 continue;
             draws(&run, &chain, i);
-            kit_run_close(&run);
         }
-    kit_image_free(&light.env);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks that choices filter as the methods by name do that draw the same at the same resolution. */
@@ -449,7 +445,7 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
     const float *channel[4];
     ssgi_trace trace;
     ssgi_calibration c[2];
-    kit_image frame, truth;
+    OWN(kit_image) frame = { 0 }, truth = { 0 };
     kit_error err;
     float to_view[16], projection[16];
     double square = 0;
@@ -473,15 +469,12 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
         open[count++] = 1;
     }
     const size_t size = ssgi_trace_size(scene->mesh.triangles);
-    void *const memory = malloc(size);
+    FREED void *const memory = malloc(size);
     CHECK(ssgi_trace_build(&trace, memory, size, scene->mesh.position, 12, NULL, scene->mesh.triangles, NULL)
               == SSGI_OK, "no tree");
     for (int with = 0; with < 2; ++with)
         CHECK(ssgi_plan_calibrate(&c[with], &trace, *position, *normal, seen, with ? open : NULL,
                                   with ? open : NULL, count, 16, scene->radius, NULL) == SSGI_OK, "no calibration");
-    free(memory);
-    kit_image_free(&truth);
-    kit_image_free(&frame);
     const double nothing = sqrt(square / (double)pixels);
     CHECK(fabsf(c[1].slabs - c[1].unoccluded) < 1e-6f && !(c[0].slabs > 0), "slabs that find nothing err by %g, %g",
           (double)c[1].slabs, (double)c[0].slabs);
@@ -559,8 +552,8 @@ static void measured(void)
               (double)survey.slabs);
     CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
     for (int k = 0; k < 2; ++k) {
-        kit_scene scene;
-        kit_gbuffer g;
+        OWN(kit_scene) scene = { 0 };
+        OWN(kit_gbuffer) g = { 0 };
         ssgi_plan_scene s;
         if (!see(&scene, &g, k ? "corner" : "plane", NULL, 0, NULL, 288, 162)) return;
         const kit_world world = { &scene, NULL };
@@ -570,8 +563,6 @@ static void measured(void)
             CHECK(s.survey.occlusion < 2e-3f && s.survey.slabs < 2e-3f && s.calibration.unoccluded < 1e-3f,
                   "a plane occludes by %g, and errs by %g", (double)s.survey.occlusion,
                   (double)s.calibration.unoccluded);
-        kit_gbuffer_free(&g);
-        kit_scene_free(&scene);
     }
 }
 
