@@ -284,36 +284,6 @@ static void corners_are_closed_forms(void)
     for (int i = 0; i < 3; ++i) kit_gbuffer_free(&g[i]);
 }
 
-/* Checks refusals of settings beyond harmonics, of a frame's own radiance, of storage without a bounce. */
-static void settings_are_refused(void)
-{
-    static const struct { const char *set; int wall; const char *says[2]; } row[] = {
-        { "", SENDS, { "direct.R", "indirect=none" } },
-        { "indirect=apart", SENDS, { "direct.R", "indirect=none" } },
-        { "indirect=none", SENDS, { NULL } },
-        { "indirect=joint,store=half", DARK, { "half", "indirect=none or apart" } },
-        { "indirect=joint,store=float", DARK, { "float", "indirect=none or apart" } },
-        { "indirect=joint,store=packed", DARK, { NULL } } };
-    const kit_lighting dark = { .lights = 0 };
-    const kit_world world = { NULL, &dark };
-    for (int k = 0; k < ROWS(row); ++k) {
-        double plane[2][4];
-        const kit_camera camera = corner_planes(plane, 0.25, 0);
-        OWN(kit_image) frame = { 0 };
-        kit_gbuffer g;
-        kit_method m;
-        kit_run run;
-        if (!walls(&g, &frame, &camera, (const double (*)[4])plane, 2, row[k].wall ? ",direct.R,direct.G,direct.B" : "")
-            || !TRY(kit_method_find(&m, "s3ho", &err)) || !TRY(kit_method_set(&m, row[k].set, &err)))
-            return;
-        const int failed = kit_run_open(&run, &g, &m, 1, &world, &err);
-        CHECK(row[k].says[0] ? failed && strstr(err.text, row[k].says[0]) && strstr(err.text, row[k].says[1]) : !failed,
-              "s3ho %s: \"%s\"", row[k].set, failed ? err.text : "");
-        if (!failed) kit_run_close(&run);
-        kit_gbuffer_free(&g);
-    }
-}
-
 /* ---- lights ------------------------------------------------------------------------------------------------------ */
 
 /* Checks the floor y = 0 before a wall from z = -1 to -1.1, with one light before and one behind the wall, both nearer
@@ -555,7 +525,6 @@ void test_light(void)
     RUN("furnace: in uniform light every pixel gets exactly what comes in", furnace);
     RUN("further bounces: a white corner in uniform light ends as bright as what comes in", further_bounces);
     RUN("a corner and slabs darken and send by their closed forms, whatever the estimator", corners_are_closed_forms);
-    RUN("what harmonics cannot carry, and storage that a gather lacks, is refused", settings_are_refused);
     RUN("a segment ends at its light", segments_end_at_lights);
     RUN("with a margin the picture is the middle of a larger one, drawn alone", margins);
     RUN("a plane does not shadow itself in a map", planes_do_not_shadow_themselves);

@@ -125,7 +125,7 @@ static void areas(void)
         const ssgi_surfel_desc d = { .size = 0.03f, .keep_small = 1 };
         const float extent = powf(10, 2.5f * t_uniform(0, 1) - 1.5f);
         ssgi_view view;
-        size_t n;
+        size_t n = 0;
         for (int i = 0; i < 9; ++i) soup[i] = extent * t_uniform(-1, 1) - (i % 3 == 2 ? t_uniform(-2, 4) : 0);
         const ssgi_surfel_source one_triangle = source_of(soup, 1);
         if (!view_of(&view, &c[k % 2], 0)) return;
@@ -137,7 +137,7 @@ static void areas(void)
     for (int m = 0; m < 2; ++m) {
         const ssgi_surfel_desc d = { .size = 0.012f, .keep_small = 0 };
         ssgi_view view;
-        size_t n;
+        size_t n = 0;
         for (int i = 0; i < SMALL / 2; ++i) {
             const float x0 = (float)(i % 200) / 200, x1 = x0 + 0.005f, y0 = (float)(i / 200) / 100, y1 = y0 + 0.01f,
                         z = -3;
@@ -928,14 +928,16 @@ static offset compared(const deep *d, const kit_image *out, const splatted *of, 
 
 /* Checks that each pixel is the sum over the surfels of its own sub-buffers, and smoothed pixels are so in the mean. A
    picture without surfel buffers (way=direct) is compared with the CPU's surfels. in_turn: surfels may also be numbered
-   as in the paper, instead of by a hash: on each level the k-th goes to sub-buffer k modulo 4^level. */
+   as in the paper, instead of by a hash: on each level the k-th goes to sub-buffer k modulo 4^level. Sums above 1 are
+   shares of what is left, or 1. */
 static void as_brute_force(void)
 {
     static const struct { const char *set; splatted of; int orthographic, in_turn; float radius;
     } row[] = { { "levels=1,falloff=none,smooth=0,size=0.07", { .levels = 1, .hard = 1 }, 0, 0, 0 },
                 { "levels=1,smooth=0,size=0.07", { .levels = 1 }, 1, 0, 0.4f },
                 { "levels=4,falloff=none,smooth=0,size=0.07", { .levels = 4, .hard = 1 }, 0, 0, 0 },
-                { "levels=4,smooth=0,size=0.06,combine=add", { .levels = 4, .added = 1 }, 0, 0, 0.6f },
+                { "levels=4,falloff=none,smooth=0,size=0.06,combine=add", { .levels = 4, .hard = 1, .added = 1 },
+                  0, 0, 0 },
                 { "levels=4,smooth=0,size=0.06,combine=add,enlarge=1", { .levels = 4, .added = 1, .enlarge = 1 },
                   0, 0, 0.6f },
                 { "levels=3,smooth=0,size=0.06,way=direct", { .levels = 3 }, 1, 0, 0.6f },
@@ -969,9 +971,10 @@ static void as_brute_force(void)
         CHECK(of.mean ? fabs(o.bias) < 5e-4 && o.rmse < 0.02 * o.dark : o.off <= 2,
               "%s: %d pixels off, by %.2g at most, bias %+.5f, RMSE %.4f of %.4f", set, o.off, o.worst, o.bias, o.rmse,
               o.dark);
-        CHECK(o.dark > 0.03 && o.pixels > 96 * 9, "%s: nothing to see", set);
-        t_note("%s: %zu surfels, %d of %d pixels off by more than 0.001, bias %+.5f, RMSE %.4f (occlusion's %.3f)",
-               row[m].set, of.count, o.off, o.pixels, o.bias, o.rmse, o.dark);
+        CHECK(o.dark > 0.03 && o.pixels > 96 * 9 && (!of.hard || of.levels < 2 || o.most > 1.2),
+              "%s: nothing to see, or sums up to %.2f", set, o.most);
+        t_note("%s: %zu surfels, %d of %d pixels off by more than 0.001, bias %+.5f, RMSE %.4f (occlusion's %.3f), "
+               "sums up to %.2f", row[m].set, of.count, o.off, o.pixels, o.bias, o.rmse, o.dark, o.most);
     }
 }
 
@@ -1034,26 +1037,6 @@ static void unseen(void)
             CHECK(o.worst < 1e-3 && (k & 1 || 1 - mean(&out, "Y") > row[k / 2].least),
                   "view %d, %s%s: off by %.2g, mean %.5f", m, row[k / 2].where, side, o.worst, 1 - mean(&out, "Y"));
         }
-    }
-}
-
-/* Checks that surfels one behind another take shares of the light that is left, or add up to 1 at most. */
-static void overlap(void)
-{
-    for (int added = 0; added < 2; ++added) {
-        char set[128];
-        OWN(deep) d = { 0 };
-        OWN(kit_image) out = { 0 };
-        snprintf(set, sizeof set, "levels=1,falloff=none,smooth=0,near_samples=1,span=0,combine=%s",
-                 added ? "add" : "share");
-        if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", set, 0, NULL)) return;
-        const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0),
-                                   placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f),
-                                   placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
-        const splatted of = { .s = s, .count = 3, .levels = 1, .hard = 1, .added = added };
-        if (!of_these(&out, &d, s, 3)) return;
-        const offset o = compared(&d, &out, &of, 1);
-        CHECK(o.worst < 1e-3 && o.most > 1.5, "%s: off by %.2g, of sums up to %.2f", set, o.worst, o.most);
     }
 }
 
@@ -1389,9 +1372,9 @@ void test_surfels(void)
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("tessellation shaders make the CPU's surfels; three ways give one picture", three_ways);
     RUN("interleaving deals every pixel out once a level", interleaving);
-    RUN("each pixel is what brute force over its own sub-buffers is, also where they are in turn", as_brute_force);
+    RUN("each pixel is what brute force over its own sub-buffers is, also where they are in turn or overlap",
+        as_brute_force);
     RUN("surfels beside the picture, behind the eye, hidden and across the near plane darken what they face", unseen);
-    RUN("overlap: shares of what is left, or sums", overlap);
     RUN("an effect and a reach of one's own: a disc is what occlusion is", custom);
     RUN("of two sides, under the surface and by one's own effect a surfel reaches what is behind it", turned_over);
     RUN("a scattering plane is as bright as its dipole's total", scattering);
