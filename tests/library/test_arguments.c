@@ -99,9 +99,11 @@ CALL(caps, ssgi_cap_table(P(0), N(1), why))
 CALL(blocked, ssgi_cap_light(P(0), P(1), N(2), F(3), P(4), P(5), why))
 CALL(bake, ssgi_field_bake(P(0), P(1), P(2), sizeof work, P(3), P(4), Z(5), NULL, Z(6), why))
 CALL(calibrate, ssgi_plan_calibrate(P(0), P(1), P(2), P(3), P(4), NULL, NULL, Z(5), N(6), F(7), why))
+CALL(survey, ssgi_survey_of(P(0), P(1), P(2), P(3), NULL, 1, why))
 CALL(plan, ssgi_plan_make(P(0), P(1), why))
 CALL(frame_of, ssgi_gl_frame_init(P(0), P(1), F(2), why))
 CALL(last, ssgi_gl_frame_history(P(0), P(1), P(2), P(3), why))
+CALL(time_of, ssgi_gl_frame_time(P(0), F(1), F(2), F(3), why))
 CALL(surfels_of, ssgi_gl_surfels_set(P(0), P(1), P(2), P(3), why))
 CALL(sent, ssgi_gl_sent_set(P(0), P(1), 2, P(2), N(3), P(4), why))
 CALL(dipole_of, ssgi_gl_dipole_set(P(0), P(1), F(2), why))
@@ -215,14 +217,23 @@ static const struct call {
     { "ssgi_plan_calibrate", calibrate,
       { OUT("calibration"), GIVEN("trace", &trace), GIVEN("position", up), GIVEN("normal", up), GIVEN("hsao", &number),
         SIZE("count", 1, 0), COUNT("rays", 2, 65536), NUMBER("radius", 1, 0, -1) } },
+    { "ssgi_survey_of", survey,
+      { OUT("survey"), GIVEN("hsao", &number), GIVEN("best", &number), GIVEN("solid", &number) } },
     { "ssgi_plan_make", plan,
-      { OUT("plan"), GIVEN("scene", &scene), MEMBER("scene", &scene.error, 1), MEMBER("scene", &scene.budget, 1),
-        MEMBER("scene", &scene.screen_radius, 1), MEMBER("scene", &scene.survey, sizeof scene.survey / sizeof(float)),
-        MEMBER("scene", scene.energy, sizeof scene.energy / sizeof(float)), MEMBER("scene", &scene.depth_pass, 1),
-        MEMBER("scene", &scene.coverage, 1), MEMBER("scene", &scene.calibration.unoccluded, 5) } },
+      { OUT("plan"), GIVEN("scene", &scene), CHOICE("scene.wanted", &scene.wanted, -1, 4),
+        CHOICE("scene.unit", &scene.unit, -1, 2), CHOICE("scene.device", &scene.device, -1, 3),
+        CHOICE("scene.device", &scene.thickness, -1, 4), CHOICE("scene.device", &scene.history, -1, 2),
+        CHOICE("scene.device", &scene.occluders, -1, -1), LIMITED("scene.error", &scene.error, -1, -1),
+        LIMITED("scene.error", &scene.budget, -1, -1), LIMITED("scene.error", &scene.screen_radius, -1, -1),
+        LIMITED("scene.error", &scene.depth_pass, -1, -1), LIMITED("scene.error", &scene.coverage, -1, -1),
+        MEMBER("scene", &scene.survey, sizeof scene.survey / sizeof(float)),
+        MEMBER("scene", scene.energy, sizeof scene.energy / sizeof(float)),
+        MEMBER("scene", &scene.calibration.unoccluded, 5) } },
     { "ssgi_gl_frame_init", frame_of, { OUT("frame"), GIVEN("view", &view), NUMBER("radius", 1, 0, -1) } },
     { "ssgi_gl_frame_history", last,
       { OUT("frame"), GIVEN("view", &view), RIGID("main_world_to_view", rigid_), RIGID("last_world_to_view", other) } },
+    { "ssgi_gl_frame_time", time_of,
+      { OUT("frame"), NUMBER("memory", 1, 0, -1), NUMBER("elapsed", 1, 0, -1), NUMBER("last", 1, 0, -1) } },
     { "ssgi_gl_surfels_set", surfels_of,
       { OUT("frame"), GIVEN("view", &view), GIVEN("desc", &surfels), OPTIONAL("mesh_to_view", rigid_, 16),
         SURFELS } },
@@ -265,7 +276,8 @@ static const struct odd {
             { scattering, "sigma_s", 0, 0 },      { scattering, "sigma_a", 0, -1 },
             { extra_view, "i", -1, 1e6 },         { occluder, "mesh_to_view", 0, 1.1 },
             { sent, "sky", 2, -1 },               { scattering, "sigma_s", 1, 0 },
-            { make, "source.to_view", 0, 0 },     { predict, "source.to_view", 0, 0 } };
+            { make, "source.to_view", 0, 0 },     { predict, "source.to_view", 0, 0 },
+            { frame_of, "radius", -1, 2e18 },     { frame_of, "view", 12, 0 } };         /* a view without a width */
 
 /* NaNs and infinities, as the bits of floats. */
 static const uint32_t not_finite[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };

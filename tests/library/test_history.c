@@ -424,21 +424,18 @@ static void hostile_history(void)
     }
 }
 
-/* Checks a frame's data on the last frame: it follows size, jitter and field of view; refuses bad matrices and
-   times. */
+/* Checks a frame's data on the last frame: it follows size, jitter and field of view. */
 static void last_frames(void)
 {
     /* footprint: the width of a pixel of the last frame in this frame's pixels, at least 1 */
     static const struct { int width, height; double footprint; } sizes[] = { { 256, 144, 1 }, { 96, 18, 1.757404 },
                                                                              { 64, 36, 1 } };
-    static const float times[][3] = { { 0, 1, 1 }, { 1, NAN, 1 }, { 1, 1, -1 } };
-    static const char *const named[] = { "memory:", "elapsed:", "last:" };
     const kit_camera c = looking_along_z(64, 36, 0);
     kit_camera other = c;
     const char *why = "";
-    float now[16], then[16], projection[16], bad[16];
+    float now[16], then[16], projection[16];
     ssgi_view view, last;
-    ssgi_gl_frame frame, was;
+    ssgi_gl_frame frame;
     other.eye[0] = 0.2f;
     other.target[0] = 0.1f;
     other.fovy = 40;
@@ -476,24 +473,6 @@ static void last_frames(void)
             CHECK(fabs(back - p[r]) < 1e-3, "%g comes back as %g", p[r], back);
         }
     }
-    was = frame;
-    for (int k = 0; k < 4; ++k) {                          /* not finite or scaled; of this frame, of the last */
-        memcpy(bad, k < 2 ? now : then, sizeof bad);
-        if (k % 2) bad[5] = NAN;
-        else for (int i = 0; i < 12; ++i) bad[i] *= 100;
-        CHECK(ssgi_gl_frame_history(&frame, &view, k < 2 ? bad : now, k < 2 ? then : bad, &why) == SSGI_BAD_ARGUMENT
-                  && !strncmp(why, k < 2 ? "main_world_to_view:" : "last_world_to_view:", 19),
-              "matrix %d: %s", k, why);
-    }
-    CHECK(ssgi_gl_frame_history(&frame, NULL, now, then, &why) == SSGI_BAD_ARGUMENT
-              && ssgi_gl_frame_history(&frame, &view, now, NULL, &why) == SSGI_BAD_ARGUMENT
-              && ssgi_gl_frame_history(NULL, &view, now, then, NULL) == SSGI_BAD_ARGUMENT,
-          "bad matrices are taken");
-    for (int i = 0; i < ROWS(times); ++i)
-        CHECK(ssgi_gl_frame_time(&frame, times[i][0], times[i][1], times[i][2], &why) == SSGI_BAD_ARGUMENT
-                  && !strncmp(why, named[i], strlen(named[i])),
-              "a bad time: %s", why);
-    CHECK(!memcmp(&frame, &was, sizeof frame), "a refused value changes the frame");
     CHECK(ssgi_gl_frame_time(&frame, 1e-30f, 1e18f, 1e-30f, &why) == SSGI_OK && frame.pace > 0
         && frame.history_frames >= 1,
           "a frame that took for ever: pace %g", (double)frame.pace);
@@ -510,7 +489,7 @@ void test_history(void)
     RUN("a camera that glides past solids forgets little", little_is_forgotten);
     RUN("frames of NaN at depths that are right, and a hundred of anything, leave no trace, whatever is restored",
         hostile_history);
-    RUN("a last frame is where both cameras say, of whatever size; bad ones are refused by name", last_frames);
+    RUN("a last frame is where both cameras say, of whatever size", last_frames);
     RUN("over sixteen frames noise falls; the first after a cut is a single one", history_is_quiet);
     kit_gl_close();
 }

@@ -292,37 +292,11 @@ static void by_hand(void)
     }
 }
 
-/* Checks refusals. Floats that are not finite are tested by tests/library/nan.c. */
+/* Checks that a plan of nothing gives no desc. */
 static void refused(void)
 {
-    static const struct { const char *start; ssgi_plan_scene scene; } bad[] = {
-        { "scene.wanted", { .wanted = 4 } }, { "scene.wanted", { .wanted = -1 } },
-        { "scene.error", { .error = -1 } },
-        { "scene.unit", { .unit = 2 } }, { "scene.unit", { .unit = -1 } },
-        { "scene.error, .budget, .screen_radius", { .depth_pass = -1 } },
-        { "scene.device, .thickness", { .thickness = 4 } },
-        { "scene.device", { .device = 3 } },
-        { "scene.device, .thickness, .history, .occluders", { .occluders = -1 } } };
-    ssgi_plan plan, was;
-    ssgi_survey survey, none;
-    memset(&was, 7, sizeof was);
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
-        const char *why = "";
-        plan = was;
-        CHECK(ssgi_plan_make(&plan, &bad[i].scene, &why) == SSGI_BAD_ARGUMENT
-                  && !strncmp(why, bad[i].start, strlen(bad[i].start)) && !memcmp(&plan, &was, sizeof plan),
-              "%s: \"%s\"", bad[i].start, why);
-    }
-    memset(&none, 7, sizeof none);
-    survey = none;
-    const float pixel = 0.5f;
-    CHECK(ssgi_survey_of(NULL, &pixel, &pixel, &pixel, NULL, 1, NULL) == SSGI_BAD_ARGUMENT
-              && ssgi_survey_of(&survey, NULL, &pixel, &pixel, NULL, 1, NULL) == SSGI_BAD_ARGUMENT
-              && ssgi_survey_of(&survey, &pixel, &pixel, NULL, NULL, 1, NULL) == SSGI_BAD_ARGUMENT
-              && !memcmp(&survey, &none, sizeof none),
-          "a bad survey is taken");
+    const ssgi_plan plan = { .choice = 0 };
     ssgi_gl_desc desc = { .input.depth = SSGI_GL_DEPTH_LINEAR }, kept = desc;
-    memset(&plan, 0, sizeof plan);
     CHECK(ssgi_gl_plan(&desc, &plan, NULL) == SSGI_BAD_ARGUMENT && ssgi_gl_plan(&desc, NULL, NULL) == SSGI_BAD_ARGUMENT
               && !memcmp(&desc, &kept, sizeof desc),
           "nothing becomes a desc");
@@ -497,9 +471,9 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
 static void calibrated_beyond_near(void)
 {
     kit_error err = { "" };
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_image truth;
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
+    OWN(kit_image) truth = { 0 };
     ssgi_plan_scene s;
     double square = 0;
     if (!see(&scene, &g, "random:27", NULL, 0, NULL, 64, 36)) return;
@@ -511,18 +485,15 @@ static void calibrated_beyond_near(void)
     for (int i = 0; i < pixels; ++i) square += pow(1 - (double)truth.data[i], 2); /* nothing is occluded in the sky */
     CHECK(fabs((double)s.calibration.unoccluded / sqrt(square / pixels) - 1) < 0.05,
           "an occlusion of %g is calibrated as %g", sqrt(square / pixels), (double)s.calibration.unoccluded);
-    kit_image_free(&truth);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks the kit's calibration of light: s3ho has an error, and a smaller one than no occlusion. */
 static void calibrated_light(void)
 {
     kit_error err = { "" };
-    kit_lighting light;
-    kit_scene scene;
-    kit_gbuffer g;
+    OWN(kit_lighting) light = { 0 };
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
     ssgi_plan_scene s;
     if (!lighten(&light, "sky", NULL) || !see(&scene, &g, "corner", NULL, 0, NULL, 32, 18)) return;
     const kit_world world = { &scene, &light };
@@ -530,9 +501,6 @@ static void calibrated_light(void)
     CHECK(s.calibration.s3ho > 0 && s.calibration.s3ho < 0.9f * s.calibration.unoccluded,
           "the error of s3ho is %g, of no occlusion %g", (double)s.calibration.s3ho,
           (double)s.calibration.unoccluded);
-    kit_image_free(&light.env);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks a survey's figures by pixels worked out by hand; a plane's are 0, a corner's are not. A calibration by the
@@ -572,7 +540,7 @@ void test_plan(void)
         follows);
     RUN("plan: relative errors are those of an image without occlusion; the next choices are the next", relative);
     RUN("plan: predicted errors and costs are what the table's numbers come to by hand", by_hand);
-    RUN("plan: bad numbers are named, and nothing is touched", refused);
+    RUN("plan: of nothing there is no desc", refused);
     RUN("plan: the kit draws every choice as ssgi_gl_plan has it, by the same shaders", drawable);
     RUN("plan: a choice filters as the preset of its method does", as_named);
     RUN("plan: survey and calibration find what the truth says", measured);
