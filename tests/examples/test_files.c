@@ -1,7 +1,7 @@
 /* test_files.c - files in and out, scores, objects, threads: the kit's util.c, image.c, places.c, mesh.c, scene.c and
    light.c. fuzz_files.c reads damaged pictures under sanitizers. */
 #include "others.h"
-#include "kit/kit_gl.h"
+#include "owned.h"
 #include "shell.h"
 
 #include <math.h>
@@ -16,11 +16,10 @@ static void put(const char *name, const void *bytes, size_t size)
 /* Reads a file of less than 64 kB into bytes. Returns its size. */
 static size_t get(const char *name, char bytes[65536])
 {
-    char *data;
+    FREED char *data = NULL;
     size_t size;
     if (kit_file_read(&data, &size, in_folder(name), NULL) || size > 65536) return 0;
     memcpy(bytes, data, size);
-    free(data);
     return size;
 }
 
@@ -53,7 +52,7 @@ static void sample_image(kit_image *image, int width, int height, const char *na
 static void exr_round_trip(void)
 {
     static const char *const names[] = { "Z", "N.Y", "A", "layer1.N.X", "R", "G", "B" };  /* not in the file's order */
-    kit_image a, b = { 0 };
+    OWN(kit_image) a = { 0 }, b = { 0 };
     kit_error err = {{0}};
     size_t size = 53 * 37 * sizeof(float);      /* 37 rows, so that the last ZIP chunk has 5 */
     sample_image(&a, 53, 37, "Z,N.Y,A,layer1.N.X,R,G,B");
@@ -65,7 +64,6 @@ static void exr_round_trip(void)
         CHECK(channel && !memcmp(channel, kit_image_channel(&a, names[c]), size), "channel %s differs", names[c]);
     }
     CHECK(!kit_image_channel(&b, "N"), "a channel was found by half its name");
-    kit_image_free(&a);
     kit_image_free(&b);
     kit_image_free(&b);
 }
@@ -111,7 +109,7 @@ static void write_several(const char *path)
 
 static void exr_of_parts(void)
 {
-    kit_image image;
+    OWN(kit_image) image = { 0 };
     kit_header header;
     kit_error err = {{0}};
     write_several(in_folder("parts.exr"));
@@ -132,7 +130,6 @@ static void exr_of_parts(void)
     CHECK(!kit_exr_header(&header, KIT_HEADER_WINDOW, in_folder("parts.exr"), &err) && header.height == 8
               && header.centre[0] == -2.5f && header.centre[1] == 0,
           "its window: %g high, at %g, %g", (double)header.height, (double)header.centre[0], (double)header.centre[1]);
-    kit_image_free(&image);
 }
 
 /* Cuts a file after every step-th byte, and checks that the reader refuses each with one line. */
@@ -154,10 +151,9 @@ static void cut(const char *name, size_t step, int (*read)(kit_image *image, con
 
 static void exr_truncated(void)
 {
-    kit_image a;
+    OWN(kit_image) a = { 0 };
     sample_image(&a, 19, 40, "Y,Z");
     CHECK(!kit_exr_write(&a, in_folder("a.exr"), NULL), "cannot write");
-    kit_image_free(&a);
     cut("a.exr", 29, kit_exr_read);
 }
 
@@ -250,11 +246,10 @@ static int patch(const char *name, const char *text, size_t after, const void *b
 
 static int frame_written(const char *name, const kit_header *header)
 {
-    kit_image image;
+    OWN(kit_image) image = { 0 };
     kit_error err = {{0}};
     sample_image(&image, 8, 6, "Z");
     const int ok = CHECK(!kit_exr_write_frame(&image, header, in_folder(name), &err), "%s", err.text);
-    kit_image_free(&image);
     return ok;
 }
 
@@ -386,7 +381,7 @@ static void exr_camera_bad(void)
 
 static void unwritable(void)
 {
-    kit_image a;
+    OWN(kit_image) a = { 0 };
     kit_error err = {{0}};
     char text[200];
     shell(text, sizeof text, "rm -rf *%s%s", "", "");
@@ -408,7 +403,6 @@ static void unwritable(void)
     check_error(kit_exr_write(&twice, in_folder("old.exr"), &err), &err, "old.exr", "a channel twice");
     CHECK(!shell(text, sizeof text, "cat old.exr && ls | tr '\\n' ,%s%s", "", "")
               && !strcmp(text, "oldold.exr,old.png,taken.exr,"), "another is left, or the old one is gone: %s", text);
-    kit_image_free(&a);
 }
 
 /* ---- files ------------------------------------------------------------------------------------------------------- */
@@ -598,7 +592,7 @@ static void places(void)
     static const char *const channel = "Y";
     kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 }, .ortho_height = 3, .width = PLACES_W,
                           .height = PLACES_H };
-    kit_image frame, out, a, b;
+    OWN(kit_image) frame = { 0 }, out = { 0 }, a = { 0 }, b = { 0 };
     kit_error err = {{0}};
     kit_score_place place[KIT_PLACES];
     int row[2][KIT_PLACES];
@@ -659,15 +653,11 @@ static void places(void)
           && fabs(place[KIT_BORDER].error - 4 * border / (4 * border + inside)) < 1e-6,
           "the border has %g of the pixels, %g of the error", place[KIT_BORDER].area, place[KIT_BORDER].error);
     CHECK(!place[KIT_EDGE].score.pixels && !(place[KIT_EDGE].error > 0), "no edge has error %g", place[KIT_EDGE].error);
-    kit_image_free(&out);
-    kit_image_free(&a);
-    kit_image_free(&b);
-    kit_image_free(&frame);
 }
 
 static void score(void)
 {
-    kit_image a, b, image;
+    OWN(kit_image) a = { 0 }, b = { 0 }, image = { 0 };
     kit_score s;
     kit_error err = {{0}};
     float mask[20];
@@ -709,8 +699,6 @@ static void score(void)
     CHECK(r[15] == r[14] && g[2] > g[7], "the range is not kept");
     kit_image_free(&image);
     CHECK(kit_image_difference(&image, &a, &b, "Y", 0, &err) == -1, "a range of 0 was accepted");
-    kit_image_free(&a);
-    kit_image_free(&b);
 }
 
 static double plain_ssim(const kit_image *a, const kit_image *b)               /* SSIM by its definition, by pixel */
@@ -736,7 +724,7 @@ static double plain_ssim(const kit_image *a, const kit_image *b)               /
 
 static void ssim(void)
 {
-    kit_image a, b;
+    OWN(kit_image) a = { 0 }, b = { 0 };
     kit_score s;
     double before = 1;
     kit_image_new(&a, 300, 40, "Y", NULL);      /* a picture wider than one strip of columns */
@@ -752,8 +740,6 @@ static void ssim(void)
               plain_ssim(&a, &b));
         before = s.ssim;
     }
-    kit_image_free(&a);
-    kit_image_free(&b);
 }
 
 /* ---- OBJ --------------------------------------------------------------------------------------------------------- */
@@ -801,7 +787,7 @@ static void obj_quirks(void)
     static const char mtl[] = "newmtl twice\nKd 1 1 1\nnewmtl Material #25\r\nmap_Kd x.png\r\nKd\t1.5 .25 -1 # "
                               "clamped\r\n\nnewmtl twice\nKd 0.5\nnewmtl last";
     static const float first[] = { 0, 0, 0, 1, 0, 0, 1, 1, 0 };
-    kit_mesh m;
+    OWN(kit_mesh) m = { 0 };
     kit_error err = {{0}};
     put("my materials.mtl", mtl, strlen(mtl));
     if (!CHECK(!obj(&m, quirks, &err), "%s", err.text)) return;
@@ -913,7 +899,7 @@ static void objects_cast_and_move(void)
     static const float grey[3] = { 0.5f, 0.5f, 0.5f };
     char text[4000] = "";
     kit_error err = {{0}};
-    kit_scene s;
+    OWN(kit_scene) s = { 0 };
     add_cube(text, "room", 0, 0, 0, 10, 10);
     add_cube(text, "cube", 1, 0, 2, 1, 1);
     add_cube(text, "sheet", 5, 0, 0, 4, 0.003);
@@ -929,7 +915,7 @@ static void objects_cast_and_move(void)
         CHECK(s.object[k].casts == casts[k], "%s: casts %d", s.object[k].name, s.object[k].casts);
 
     const size_t floats = 9 * s.mesh.triangles;
-    float *was = malloc(floats * sizeof *was);
+    FREED float *was = malloc(floats * sizeof *was);
     memcpy(was, s.mesh.position, floats * sizeof *was);
     CHECK(!kit_scene_place(&s, 1, where, &err), "%s", err.text);
     int wrong = 0, others = 0;
@@ -967,7 +953,6 @@ static void objects_cast_and_move(void)
         CHECK(s.object[1].casts && s.object[3].casts && s.object[6].casts && !s.object[7].casts,
               "the cube around a box casts %d, the box %d, one around all %d", s.object[1].casts, s.object[6].casts,
               s.object[7].casts);
-    free(was);
     kit_scene_free(&s);
 
     if (!CHECK(!kit_scene_load(&s, "casters", 0, &err), "%s", err.text)) return;
@@ -987,7 +972,6 @@ static void objects_cast_and_move(void)
     CHECK(deepest > 0 && least > 0.1 && rest < 1e-5, "casters: down to %g, moved by %g to %g, after a period by %g",
           deepest, least, most, rest);
     t_note("casters moved by %.2f to %.2f, after a period by %.1e", least, most, rest);
-    kit_scene_free(&s);
 }
 
 /* Returns the greatest error of a truth between objects, seen from above: the ball occludes the plane by 1 / (1 +
@@ -995,7 +979,7 @@ static void objects_cast_and_move(void)
 static double ball_and_plane(int ball, int plane, kit_image *y)
 {
     kit_error err = {{0}};
-    kit_scene s;
+    OWN(kit_scene) s = { 0 };
     double worst = 0;
     if (!CHECK(!kit_scene_load(&s, "sphere", 0, &err) && s.objects == 2 && s.object[1].casts && !s.object[0].casts,
                "%s", err.text))
@@ -1014,20 +998,18 @@ static double ball_and_plane(int ball, int plane, kit_image *y)
         if (fabs(rho - 1) > 0.03) worst = fmax(worst, fabs(is - should));
     }
     kit_image_free(y);
-    kit_scene_free(&s);
     return worst;
 }
 
 static void truth_of_objects(void)
 {
-    kit_image y = { 0 };
+    OWN(kit_image) y = { 0 };
     for (int k = 0; k < 4; ++k) {
         const double worst = ball_and_plane(k & 1, k >> 1, &y);
         CHECK(worst < (k ? 0.006 : 1e-6), "a ball that casts %d, a plane that casts %d: off by %g", k & 1, k >> 1,
               worst);
         t_note("a ball that casts %d, a plane that casts %d: off by %.1e", k & 1, k >> 1, worst);
     }
-    kit_image_free(&y);
 }
 
 /* ---- environments ------------------------------------------------------------------------------------------------ */

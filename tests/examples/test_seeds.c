@@ -1,8 +1,8 @@
 /* test_seeds.c - scenes by seed: the kit's seeds.c, grammar.c, look.c, parts.c; and the basis of charts of many scenes:
    the laboratory's spread.c, units.c. */
+#include "owned.h"
 #include "t.h"
 #include "kit/kit_build.h"
-#include "kit/kit_gl.h"
 #include "kit/kit_trace.h"
 #include "lab/against/compared.h"
 #include "lab/against/subjects.h"
@@ -42,7 +42,7 @@ static void seen(const kit_scene *s, double *share, double *reach)
     enum { ACROSS = 48, DOWN = 27 };
 
     const size_t size = ssgi_trace_size(s->mesh.triangles);
-    void *memory = malloc(size);
+    FREED void *memory = malloc(size);
     float depth[ACROSS * DOWN], origin[3], way[3], ahead[3];
     kit_camera c = s->camera;
     ssgi_trace trace;
@@ -58,7 +58,6 @@ static void seen(const kit_scene *s, double *share, double *reach)
         if (!ssgi_trace_closest(&hit, &trace, origin, way, c.znear, 1e12f)) continue;
         depth[hits++] = hit.t * (way[0] * ahead[0] + way[1] * ahead[1] + way[2] * ahead[2]) / l;
     }
-    free(memory);
     *share = (double)hits / (ACROSS * DOWN);
     const double at = hits ? (double)kit_middle(depth, hits) : 1;
     *reach = (double)s->radius / (c.fovy > 0 ? 2 * tan((double)c.fovy * KIT_PI / 360) * at : (double)c.ortho_height);
@@ -78,7 +77,7 @@ static void scenes(void)
     for (int n = 0; n < SEEDS; ++n) {
         const int seed = n < KIT_KINDS ? n : 1000 + n - KIT_KINDS;
         char name[64], full[64];
-        kit_scene s, again;
+        OWN(kit_scene) s = { 0 }, again = { 0 };
         kit_error err;
         double share, reach, sum = 0;
         snprintf(name, sizeof name, "random:%d", seed);
@@ -102,8 +101,6 @@ static void scenes(void)
               "{ %zu, %.6g }, %s", s.mesh.triangles, sum, name);
         objects += s.objects;
         lights += s.lights;
-        kit_scene_free(&s);
-        kit_scene_free(&again);
     }
     CHECK(objects > 10 * SEEDS && lights > 0, "%d objects, %d lights", objects, lights);
 }
@@ -137,7 +134,7 @@ static void models_alone(void)
         { "model:bunny", 0.25 }, { "model:spider:5", 0.9 }, { "model:scopia/bicycle:3", 0.843 }
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
-        kit_scene s;
+        OWN(kit_scene) s = { 0 };
         kit_error err;
         double share, reach;
         if (!CHECK(!kit_scene_load(&s, cases[k].name, 0, &err), "%s", err.text)) return;
@@ -146,7 +143,6 @@ static void models_alone(void)
                   && fabs((double)s.mesh.upper[1] / cases[k].height - 1) < 1e-3 && share > 0.35 && reach > 0.01,
               "%s: %d objects, from %g to %g, seen on %.2f of the picture, radius %.3f of its height", cases[k].name,
               s.objects, (double)s.mesh.lower[1], (double)s.mesh.upper[1], share, reach);
-        kit_scene_free(&s);
     }
 }
 
@@ -236,7 +232,7 @@ static void differences(void)
     };
     static float mask[ACROSS_DIFFERS * DOWN_DIFFERS];
     kit_error err;
-    kit_image a, b;
+    OWN(kit_image) a = { 0 }, b = { 0 };
     compared c;
     if (!CHECK(!kit_image_new(&a, ACROSS_DIFFERS, DOWN_DIFFERS, "A,B", &err)
                    && !kit_image_new(&b, ACROSS_DIFFERS, DOWN_DIFFERS, "B,A", &err), "%s", err.text)) return;
@@ -267,8 +263,6 @@ static void differences(void)
               && fabs(c.across[0] - (15 * 324 + 8 * 1024 - 576) / 24.0 / 576) < 1e-9 && fabs(c.down[0] - 1) < 1e-9,
           "halves, a part of them: like itself %g across, %g down", c.across[0], c.down[0]);
     CHECK(!compared_of(&c, &a, &b, both, 1, NULL, &err) && isnan(c.rmse), "NaN pixels: RMSE %g", c.rmse);
-    kit_image_free(&a);
-    kit_image_free(&b);
 }
 
 /* Checks the RMSE of 512 pixels with two channels, of which every fourth has an error of 0.5 in the first picture:

@@ -622,6 +622,10 @@ static void command_line(void)
         { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" },
         { "--gbuffer f.exr --fovy 57 --radius 0.5 --slide 1,0,0 --out a.exr", "--slide: needs a scene" },
         { "--gbuffer lit.exr --fovy 57 --radius 2 --flat --out a.exr", "--flat: needs a scene" },
+        { "--gbuffer lit.exr --method s3ho --env sky $F", "direct.R ..: take ssdo, or --set indirect=none" },
+        { "--gbuffer lit.exr --method s3ho --set indirect=apart --env sky $F", "would lack the frame's direct.R" },
+        { "room --method s3ho --set store=half --env sky --out a.exr", "store=half: one gather with the bounce packs" },
+        { "room --method s3ho --set store=float --env sky --out a.exr", "it needs indirect=none or apart" },
         { "--gbuffer lit.exr --ortho-height 2 --out a.exr", "lit.exr: needs --radius" },
         { "--gbuffer lit.exr --radius 2 --out a.exr", "lit.exr: needs --fovy or --ortho-height" },
         { "--gbuffer bent.exr --out a.exr", "bent.exr: worldToCamera: must turn" },
@@ -679,6 +683,8 @@ static void command_line(void)
     works("$R --sequence good.txt --fovy 57 --radius 0.5 --set history=1 --out s%d.exr && test -s s0.exr && "
           "test -s s1.exr && ! test -e s2.exr");
     works("$R --sequence own.txt --set history=1 --out o%d.exr && test -s o2.exr");
+    works("$R --gbuffer lit.exr --method s3ho --set indirect=none --env sky $F && "
+          "$R room --size 8x8 --method s3ho --set indirect=joint,store=packed --env sky --out b.exr");
 }
 
 /* Returns the error of a picture against another, as render prints it; below 0: it prints something else. */

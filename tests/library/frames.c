@@ -9,6 +9,19 @@
 static const double pi = 3.14159265358979;
 static kit_error err;
 
+int half_of(float x)
+{
+    const double y = fmin(fabs((double)x), 65504);
+    const int e = y < 6.103515625e-5 ? -14 : ilogb(y);
+    return (signbit(x) ? 0x8000 : 0) + ((e + 14) << 10) + (int)nearbyint(ldexp(y, 10 - e));
+}
+
+double value_of(int half)
+{
+    const int e = half >> 10 & 31, m = half & 1023;
+    return ldexp(e ? m + 1024 : m, (e ? e : 1) - 25) * (half & 0x8000 ? -1 : 1);
+}
+
 void rigid_about(float m[16], const float z[3])
 {
     float axis[3][3], aside[3];
@@ -252,10 +265,8 @@ int drawn(kit_image *out, kit_run *run)
 int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
         const kit_lighting *lighting)
 {
-    kit_run run;
-    const int ok = begin(&run, g, method, set, radius, scene, lighting) && drawn(out, &run);
-    kit_run_close(&run);
-    return ok;
+    OWN(kit_run) run = { 0 };
+    return begin(&run, g, method, set, radius, scene, lighting) && drawn(out, &run);
 }
 
 double mean(const kit_image *image, const char *name)
@@ -295,19 +306,17 @@ int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
     double plane[2][4];
     const kit_camera camera = corner_planes(plane, c, 0);
     const size_t pixels = (size_t)WIDE * HIGH;
-    kit_image frame, behind;
+    OWN(kit_image) frame = { 0 };
     int ok = planes_seen(&frame, &camera, (const double (*)[4])plane, 2, more[layers - 1]);
     for (int j = 1; j < layers && ok; ++j) {
+        OWN(kit_image) behind = { 0 };
         corner_planes(plane, c, j == 1 ? thickness : thickness + gap);
         ok = planes_seen(&behind, &camera, (const double (*)[4])plane + 1, 1, "");
         for (size_t i = 0; ok && i < 4 * pixels; ++i)
             if (frame.data[2 * pixels + i % pixels] < 0)
                 frame.data[4 * pixels * (size_t)j + i] = i < pixels || j == 2 ? behind.data[i] : -behind.data[i];
-        kit_image_free(&behind);
     }
-    ok = ok && TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
-    kit_image_free(&frame);
-    return ok;
+    return ok && TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
 }
 
 double difference(const kit_image *a, const kit_image *b)

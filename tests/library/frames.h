@@ -1,7 +1,7 @@
 /* frames.h - vectors, harmonics, pictures of known geometry, and runs on them, which tests share. */
 #ifndef FRAMES_H
 #define FRAMES_H
-#include "kit/kit_gl.h"
+#include "owned.h"
 #include "t.h"
 #include <math.h>
 #include <string.h>
@@ -67,6 +67,9 @@ static inline float unpack_measured(unsigned *thickness, const uint32_t texel[4]
     return !orthographic ? z : *thickness ? from + z : 1e18f;
 }
 
+/* Returns the bits of a half, rounded to the nearest one, or the even one of two; value_of: their value. */
+int        half_of(float x);
+double     value_of(int half);
 /* makes a rigid matrix of camera axes: z is given, and the turn about it is random */
 void       rigid_about(float m[16], const float z[3]);
 void       through(const float m[16], const float p[3], float w, float out[3]);   /* moves a point by a matrix */
@@ -120,6 +123,7 @@ typedef struct scenery { kit_scene scene; kit_lighting light; kit_gbuffer g; } s
 int        set_scene(scenery *s, const char *name, const kit_camera *camera, const char *env, const char *light,
                      int width, int height);
 void       strike(scenery *s);
+static inline void own_scenery(scenery *s) { strike(s); }
 /* The corner, with a slab of this thickness as its wall, as layers: the slab's face, its back, and the face of an
    endless wall at gap behind it. */
 int        slab(kit_gbuffer *g, double c, double thickness, double gap, int layers);

@@ -86,10 +86,12 @@ CALL(cut, ssgi_environment_suns(P(0), N(1), P(2), N(3), N(4), why))
 CALL(residual, ssgi_sh_residual(P(0), N(1), P(2), N(3), P(4), N(5), why))
 CALL(choose, ssgi_vpl_choose(P(0), N(1), P(2), P(3), P(4), Z(5), why))
 CALL(area, ssgi_vpl_area(P(0), N(1), P(2), P(3), P(4), N(5), P(6), why))
-CALL(scale, ssgi_surfel_scale(P(0), P(1), &view, why))
-CALL(divide, ssgi_surfels_divide(P(0), 2, P(1), P(2), &view, P(3), why))
-CALL(make, ssgi_surfels(P(0), 64, P(1), P(2), &view, P(3), why))
-CALL(predict, ssgi_surfels_predict(P(0), P(1), P(2), &view, P(3), why))
+CALL(points, ssgi_tess_points(P(0), N(1), why))
+CALL(scale, ssgi_surfel_scale(P(0), P(1), P(2), why))
+CALL(divide, ssgi_surfels_divide(P(0), 2, P(1), P(2), P(3), P(4), why))
+CALL(make, ssgi_surfels(P(0), 64, P(1), P(2), P(3), P(4), why))
+CALL(splat_size, ssgi_splat_size(P(0), N(1), N(2), N(3), why))
+CALL(predict, ssgi_surfels_predict(P(0), P(1), P(2), P(3), P(4), why))
 CALL(scattering, ssgi_dipole_set(P(0), P(1), P(2), F(3), why))
 CALL(built, ssgi_trace_build(P(0), P(1), 4096, P(2), Z(3), NULL, Z(4), why))
 CALL(seen, ssgi_trace_visibility(P(0), P(1), P(2), P(3), 1, F(4), N(5), N(6), why))
@@ -97,11 +99,13 @@ CALL(caps, ssgi_cap_table(P(0), N(1), why))
 CALL(blocked, ssgi_cap_light(P(0), P(1), N(2), F(3), P(4), P(5), why))
 CALL(bake, ssgi_field_bake(P(0), P(1), P(2), sizeof work, P(3), P(4), Z(5), NULL, Z(6), why))
 CALL(calibrate, ssgi_plan_calibrate(P(0), P(1), P(2), P(3), P(4), NULL, NULL, Z(5), N(6), F(7), why))
+CALL(survey, ssgi_survey_of(P(0), P(1), P(2), P(3), NULL, 1, why))
 CALL(plan, ssgi_plan_make(P(0), P(1), why))
 CALL(frame_of, ssgi_gl_frame_init(P(0), P(1), F(2), why))
 CALL(last, ssgi_gl_frame_history(P(0), P(1), P(2), P(3), why))
+CALL(time_of, ssgi_gl_frame_time(P(0), F(1), F(2), F(3), why))
 CALL(surfels_of, ssgi_gl_surfels_set(P(0), P(1), P(2), P(3), why))
-CALL(sent, ssgi_gl_sent_set(P(0), P(1), 2, P(2), 1, P(3), why))
+CALL(sent, ssgi_gl_sent_set(P(0), P(1), 2, P(2), N(3), P(4), why))
 CALL(dipole_of, ssgi_gl_dipole_set(P(0), P(1), F(2), why))
 CALL(harmonics_of, ssgi_gl_harmonics_set(P(0), P(1), N(2), P(3), why))
 CALL(extra_view, ssgi_gl_views_set(P(0), N(1), P(2), P(3), P(4), why))
@@ -110,8 +114,8 @@ CALL(occluder, ssgi_gl_occluder_set(P(0), P(1), P(2), P(3), N(4), N(5), why))
 
 /* Kinds of arguments and their bad values. COUNT, SIZE, NUMBER: both values of bad, and a NUMBER is also not finite.
    POINTER: NULL. DIRECTION: NULL and zeros. OPTIONAL: NULL is allowed. RIGID: NULL and matrices that are not rigid.
-   MEMBER: floats in the memory of another argument. */
-enum { NONE, COUNT_, SIZE_, NUMBER_, POINTER_, DIRECTION_, OPTIONAL_, RIGID_, MEMBER_ };
+   MEMBER: floats in another argument's memory. CHOICE, LIMITED: an int and a float there, by both values of bad. */
+enum { NONE, COUNT_, SIZE_, NUMBER_, POINTER_, DIRECTION_, OPTIONAL_, RIGID_, MEMBER_, CHOICE_, LIMITED_ };
 
 typedef struct argument {
     const char *name; /* the name with which a refusal must begin */
@@ -133,13 +137,23 @@ typedef struct argument {
 #define RIGID(name, at) { name, RIGID_, 16, at, 0, { 0, 0 } }
 #define OPTIONAL(name, at, count) { name, OPTIONAL_, count, at, 0, { 0, 0 } }
 #define MEMBER(name, at, count) { name, MEMBER_, count, at, 0, { 0, 0 } }
+#define CHOICE(name, at, below, above) { name, CHOICE_, 0, at, 0, { below, above } }
+#define LIMITED(name, at, below, above) { name, LIMITED_, 1, at, 0, { below, above } }
+#define SURFELS LIMITED("desc.size", &surfels.size, 1e-5, 2), CHOICE("desc.splits", &surfels.splits, -1, 33), \
+                LIMITED("desc.offscreen_growth", &surfels.offscreen_growth, -1, 2), \
+                CHOICE("desc.keep_small", &surfels.keep_small, -1, 2), \
+                LIMITED("desc.max_distance", &surfels.max_distance, -1, -1), \
+                CHOICE("desc.overhang", &surfels.overhang, -1, 2)
+#define SOURCE GIVEN("source", &source), MEMBER("source.to_view", source.to_view, 16), \
+               CHOICE("source", &source.position_stride, 13, 14), CHOICE("source", &source.normal_stride, 13, 14), \
+               CHOICE("source", &source.colour_stride, 13, 14)
 #define SIDES(size, low, high) OUT("out"), COUNT(size, low, high), GIVEN("rgb", image), COUNT("width", 1, 65536), \
                                COUNT("height", 1, 65536)
 
 static const struct call {
     const char *name;
     ssgi_result (*call)(const char **why);
-    argument arguments[12];
+    argument arguments[16];
 } calls[] = {
     { "ssgi_view_from_projection", view_of,
       { OUT("view"), FLOATS("projection", projection, 16), COUNT("clip", 0, 3), COUNT("width", 1, 65536),
@@ -173,18 +187,20 @@ static const struct call {
     { "ssgi_vpl_area", area,
       { OUT("out"), COUNT("count", 1, 4096), FLOATS("corner", triangle, 3), DIRECTION("a", up), FLOATS("b", image, 3),
         COUNT("triangle", 0, 1), FLOATS("radiance", colour, 3) } },
-    { "ssgi_surfel_scale", scale,
-      { OUT("scale"), GIVEN("desc", &surfels), MEMBER("desc", &surfels.size, 1),
-        MEMBER("desc", &surfels.offscreen_growth, 1), MEMBER("desc", &surfels.max_distance, 1) } },
+    { "ssgi_tess_points", points, { OUT("uvw"), COUNT("level", 1, 64) } },
+    { "ssgi_surfel_scale", scale, { OUT("scale"), GIVEN("desc", &surfels), GIVEN("view", &view), SURFELS } },
     { "ssgi_surfels_divide", divide,
-      { OUT("out"), SECOND("count"), GIVEN("desc", &surfels), GIVEN("source", &source),
-        MEMBER("source", source.to_view, 16) } },
+      { OUT("out"), SECOND("count"), GIVEN("desc", &surfels), GIVEN("view", &view), SOURCE, SURFELS } },
     { "ssgi_surfels", make,
-      { OUT("out"), SECOND("count"), GIVEN("desc", &surfels), GIVEN("source", &source),
-        MEMBER("source", source.to_view, 16) } },
+      { OUT("out"), SECOND("count"), GIVEN("desc", &surfels), GIVEN("view", &view), SOURCE, SURFELS } },
+    { "ssgi_splat_size", splat_size,
+      { OUT("size"), COUNT("width", 1, 65536), COUNT("height", 1, 65536), COUNT("levels", 1, 7) } },
     { "ssgi_surfels_predict", predict,
-      { OUT("cost"), GIVEN("desc", &surfels), GIVEN("splat", &splat), GIVEN("source", &source),
-        MEMBER("source", source.to_view, 16), MEMBER("splat", &splat.epsilon, 4) } },
+      { OUT("cost"), GIVEN("desc", &surfels), GIVEN("splat", &splat), GIVEN("view", &view), SOURCE,
+        LIMITED("splat.epsilon", &splat.epsilon, -1, 2), LIMITED("splat.max_distance", &splat.max_distance, -1, -1),
+        LIMITED("splat.max_radiance", &splat.max_radiance, -1, -1),
+        LIMITED("splat.near_depth", &splat.near_depth, -1, -1), CHOICE("splat.levels", &splat.levels, -1, 8),
+        CHOICE("splat.part", &splat.part, 3, 5), CHOICE("splat.two_sided", &splat.two_sided, -1, 2) } },
     { "ssgi_dipole_set", scattering,
       { OUT("dipole"), FLOATS("sigma_s", colour, 3), FLOATS("sigma_a", up, 3), NUMBER("eta", 1.5, 0.9, 3.1) } },
     { "ssgi_trace_build", built, { OUT("trace"), SECOND("memory"), GIVEN("position", triangle), STRIDE, TRIANGLES } },
@@ -201,19 +217,29 @@ static const struct call {
     { "ssgi_plan_calibrate", calibrate,
       { OUT("calibration"), GIVEN("trace", &trace), GIVEN("position", up), GIVEN("normal", up), GIVEN("hsao", &number),
         SIZE("count", 1, 0), COUNT("rays", 2, 65536), NUMBER("radius", 1, 0, -1) } },
+    { "ssgi_survey_of", survey,
+      { OUT("survey"), GIVEN("hsao", &number), GIVEN("best", &number), GIVEN("solid", &number) } },
     { "ssgi_plan_make", plan,
-      { OUT("plan"), GIVEN("scene", &scene), MEMBER("scene", &scene.error, 1), MEMBER("scene", &scene.budget, 1),
-        MEMBER("scene", &scene.screen_radius, 1), MEMBER("scene", &scene.survey, sizeof scene.survey / sizeof(float)),
-        MEMBER("scene", scene.energy, sizeof scene.energy / sizeof(float)), MEMBER("scene", &scene.depth_pass, 1),
-        MEMBER("scene", &scene.coverage, 1), MEMBER("scene", &scene.calibration.unoccluded, 5) } },
+      { OUT("plan"), GIVEN("scene", &scene), CHOICE("scene.wanted", &scene.wanted, -1, 4),
+        CHOICE("scene.unit", &scene.unit, -1, 2), CHOICE("scene.device", &scene.device, -1, 3),
+        CHOICE("scene.device", &scene.thickness, -1, 4), CHOICE("scene.device", &scene.history, -1, 2),
+        CHOICE("scene.device", &scene.occluders, -1, -1), LIMITED("scene.error", &scene.error, -1, -1),
+        LIMITED("scene.error", &scene.budget, -1, -1), LIMITED("scene.error", &scene.screen_radius, -1, -1),
+        LIMITED("scene.error", &scene.depth_pass, -1, -1), LIMITED("scene.error", &scene.coverage, -1, -1),
+        MEMBER("scene", &scene.survey, sizeof scene.survey / sizeof(float)),
+        MEMBER("scene", scene.energy, sizeof scene.energy / sizeof(float)),
+        MEMBER("scene", &scene.calibration.unoccluded, 5) } },
     { "ssgi_gl_frame_init", frame_of, { OUT("frame"), GIVEN("view", &view), NUMBER("radius", 1, 0, -1) } },
     { "ssgi_gl_frame_history", last,
       { OUT("frame"), GIVEN("view", &view), RIGID("main_world_to_view", rigid_), RIGID("last_world_to_view", other) } },
+    { "ssgi_gl_frame_time", time_of,
+      { OUT("frame"), NUMBER("memory", 1, 0, -1), NUMBER("elapsed", 1, 0, -1), NUMBER("last", 1, 0, -1) } },
     { "ssgi_gl_surfels_set", surfels_of,
       { OUT("frame"), GIVEN("view", &view), GIVEN("desc", &surfels), OPTIONAL("mesh_to_view", rigid_, 16),
-        MEMBER("desc", &surfels.size, 1) } },
+        SURFELS } },
     { "ssgi_gl_sent_set", sent,
-      { OUT("frame"), GIVEN("surfels", surfel), GIVEN("lights", &light), OPTIONAL("sky", up, 3),
+      { OUT("frame"), GIVEN("surfels", surfel), GIVEN("lights", &light),
+        { "light_count", COUNT_, 0, NULL, 1, { -1, -9 } }, OPTIONAL("sky", up, 3),
         MEMBER("surfels", surfel[1].position, 11), MEMBER("lights", &light, sizeof light / sizeof(float)) } },
     { "ssgi_gl_dipole_set", dipole_of, { OUT("frame"), GIVEN("frame", &dipole), NUMBER("unit", 1, 0, -1) } },
     { "ssgi_gl_harmonics_set", harmonics_of,
@@ -249,7 +275,9 @@ static const struct odd {
             { choose, "flux", 0, -1 },            { area, "radiance", 1, -1 },
             { scattering, "sigma_s", 0, 0 },      { scattering, "sigma_a", 0, -1 },
             { extra_view, "i", -1, 1e6 },         { occluder, "mesh_to_view", 0, 1.1 },
-            { sent, "sky", 0, -1 } };
+            { sent, "sky", 2, -1 },               { scattering, "sigma_s", 1, 0 },
+            { make, "source.to_view", 0, 0 },     { predict, "source.to_view", 0, 0 },
+            { frame_of, "radius", -1, 2e18 },     { frame_of, "view", 12, 0 } };         /* a view without a width */
 
 /* NaNs and infinities, as the bits of floats. */
 static const uint32_t not_finite[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
@@ -262,7 +290,7 @@ static void arguments_right(const struct call *c)
         if (a->kind == COUNT_) N(k) = (int)a->is;
         else if (a->kind == SIZE_) Z(k) = (size_t)a->is;
         else if (a->kind == NUMBER_) F(k) = (float)a->is;
-        else if (a->kind != MEMBER_) P(k) = a->at;
+        else if (a->kind < MEMBER_) P(k) = a->at;
     }
 }
 
@@ -337,6 +365,11 @@ static void refuses_argument(const struct call *c, int k)
         refuses_float(c, k, &F(k), &not_finite[i], "not finite");
     for (int i = 0; i < NOT_FINITE * a->floats; ++i)
         refuses_float(c, k, (float *)a->at + i / NOT_FINITE, &not_finite[i % NOT_FINITE], "not finite");
+    for (int i = 0; i < 2 && a->kind >= CHOICE_; ++i) {
+        const int whole = (int)a->bad[i];
+        const float real = (float)a->bad[i];
+        refuses_float(c, k, a->at, a->kind == CHOICE_ ? (const void *)&whole : &real, i ? "too large" : "too small");
+    }
     if (a->kind == DIRECTION_) {
         float zeros[3] = { 0, 0, 0 };
         P(k) = zeros;

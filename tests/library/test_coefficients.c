@@ -27,19 +27,13 @@ static void some_light(float light[48])
     for (int i = 0; i < 48; ++i) light[i] = i < 3 ? 3 + 0.5f * (float)i : 0.4f * sinf(2.3f * (float)i);
 }
 
-static float half_value(uint32_t h)
-{
-    const int exponent = (int)(h >> 10 & 31);
-    const double v = ldexp((double)(h & 1023) + (exponent ? 1024 : 0), exponent > 1 ? exponent - 25 : -24);
-    return (float)(h & 0x8000 ? -v : v);
-}
-
 /* Returns the vectors that a pass of 4 bands wrote, by pixel, from any storage. The caller frees them; NULL: failed. */
 static float *coefficients_new(const kit_run *run, int pass)
 {
     const kit_pass *p = &run->pass[pass];
     const size_t texels = (size_t)p->width * (size_t)p->height, per = p->desc.light.packed_coefficients ? 8 : 4;
-    float *out = malloc(16 * texels * sizeof *out), *texel = malloc(4 * texels * sizeof *texel);
+    FREED float *texel = malloc(4 * texels * sizeof *texel);
+    float *out = malloc(16 * texels * sizeof *out);
     int ok = out && texel;
     for (size_t t = 0; t < 16 / per && ok; ++t) {
         ok = CHECK(!kit_texture_read(p->target[t], p->width, p->height, 4, texel), "vectors cannot be read");
@@ -47,11 +41,10 @@ static float *coefficients_new(const kit_run *run, int pass)
             float *to = &out[16 * (i / per) + per * t + i % per];
             uint32_t word;
             memcpy(&word, texel + (per > 4 ? i / 2 : i), sizeof word);
-            if (per > 4) *to = half_value(word >> (i & 1 ? 16 : 0) & 0xffff);
+            if (per > 4) *to = (float)value_of((int)(word >> (i & 1 ? 16 : 0) & 0xffff));
             else memcpy(to, &word, sizeof word);
         }
     }
-    free(texel);
     if (ok) return out;
     free(out);
     return NULL;
@@ -106,7 +99,7 @@ static void wall_vector(double v[16], const wall *w, const double n[3], const do
 static int strip(float *out, kit_run *run, int row, int pass, int targets)
 {
     const int passes = run->passes;
-    float *texel = malloc((size_t)WIDE * (size_t)(row + 1) * 4 * sizeof *texel);
+    FREED float *texel = malloc((size_t)WIDE * (size_t)(row + 1) * 4 * sizeof *texel);
     int ok = texel != NULL;
     for (run->passes = 0; run->pass[run->passes].desc.pass == SSGI_GL_PASS_EMITTERS; ++run->passes) {}
     kit_run_update(run);
@@ -121,7 +114,6 @@ static int strip(float *out, kit_run *run, int row, int pass, int targets)
         for (int i = 0; i < COLUMNS && ok; ++i)
             memcpy(out + 4 * (targets * i + t), texel + 4 * (row * WIDE + MIDDLE + i), 4 * sizeof *out);
     }
-    free(texel);
     return ok;
 }
 
@@ -166,8 +158,8 @@ static void walls_block(void)
     for (int m = 0; m < ROWS(row); ++m) {
         const wall *w = &row[m].w;
         double plane[2][4], along[3], off = 0;
-        kit_gbuffer g;
-        kit_run run;
+        OWN(kit_gbuffer) g = { 0 };
+        OWN(kit_run) run = { 0 };
         char set[128];
         snprintf(set, sizeof set, "indirect=none,filtered=coefficients,store=float,thickness=solid,directions=64,%s",
                  row[m].set);
@@ -181,8 +173,6 @@ static void walls_block(void)
         for (int i = 0; i < 16; ++i) off = fmax(off, fabs(found[i] - v[i]));
         CHECK(off <= 0.003, "%s, c %g: a coefficient is off by %.4f", row[m].set, w->c, off);
         worst = fmax(worst, off);
-        kit_run_close(&run);
-        kit_gbuffer_free(&g);
     }
     t_note("a coefficient is off by %.4f at most", worst);
 }
@@ -196,21 +186,20 @@ static void slices_know_directions(void)
         { "s3ho", "indirect=none,bands=4,thickness=solid" } };
     static const wall w = { 0.25, 9, 1, whole };
     double v[2][16], worst = 0;
-    kit_lighting white;
+    OWN(kit_lighting) white = { 0 };
     kit_gbuffer g[2];
     if (!lighten(&white, "white", NULL)) return;
     for (int down = 0; down < 2; ++down) {
         double plane[2][4], along[3];
         const kit_camera camera = corner_planes(plane, w.c, 0);
-        kit_image frame;
+        OWN(kit_image) frame = { 0 };
         for (int i = 0; i < 2 && down; ++i) plane[i][1] = -plane[i][1];
         for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
         wall_vector(v[down], &w, plane[0], along);
         if (!walls(&g[down], &frame, &camera, (const double (*)[4])plane, 2, "")) return;
-        kit_image_free(&frame);
     }
     for (int m = 0; m < ROWS(row); ++m) {
-        kit_run run;
+        OWN(kit_run) run = { 0 };
         char set[128];
         snprintf(set, sizeof set, "slices=2,%s", row[m].set);
         if (!begin(&run, &g[0], row[m].method, set, 1, NULL, &white)) return;
@@ -225,11 +214,9 @@ static void slices_know_directions(void)
             CHECK(fabs(got - want) < 0.006, "%s %s, light %s the wall, %s: %.4f, truth %.4f", row[m].method, set,
                   k & 2 ? "toward" : "off", down ? "down" : "up", got, want);
         }
-        kit_run_close(&run);
     }
     for (int i = 0; i < 2; ++i) kit_gbuffer_free(&g[i]);
     t_note("%.4f off at most", worst);
-    kit_image_free(&white.env);
 }
 
 /* Checks that a wall reflects uniform light by its albedo, as far as it blocks the floor. Normals have 6 bits. */
@@ -241,8 +228,7 @@ static void walls_reflect(void)
     const size_t pixels = (size_t)WIDE * HIGH;
     double plane[2][4], along[3], v[16], open[16], found[4], worst = 0;
     float light[48];
-    kit_image frame;
-    kit_gbuffer g;
+    OWN(kit_image) frame = { 0 };
     const kit_camera c = corner_planes(plane, w.c, 0);
     some_light(light);
     for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
@@ -256,8 +242,9 @@ static void walls_reflect(void)
         if (m)
             for (size_t i = 0; i < 3 * pixels; ++i)
                 if (frame.data[4 * pixels + i % pixels] > 0) frame.data[pixels + i] *= -1;
+        OWN(kit_gbuffer) g = { 0 };
+        OWN(kit_run) run = { 0 };
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
-        kit_run run;
         char set[96];
         snprintf(set, sizeof set, "thickness=solid,directions=64,fade=lambda,lambda=2,%s", sets[m]);
         if (!begin(&run, &g, "s3ho-points", set, 1, NULL, &dark)) return;
@@ -272,20 +259,8 @@ static void walls_reflect(void)
             CHECK(fabs(found[j] / truth - 1) <= 0.01, "%s, channel %d: %.4f, expected %.4f", sets[m], j, found[j],
                   truth);
         }
-        kit_run_close(&run);
-        kit_gbuffer_free(&g);
     }
     t_note("%.2e of it off at most", worst);
-    kit_image_free(&frame);
-}
-
-static uint32_t half_of(double v)                       /* returns the bits of a half, of v = 0 or v >= 2^-14 */
-{
-    const float value = (float)v;
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    const uint32_t rounded = bits + 0xfff + (bits >> 13 & 1);
-    return fabs(v) < 1e-4 ? 0 : ((rounded >> 13 & 0x3ffff) - 0x1c000) | (bits >> 16 & 0x8000);
 }
 
 /* Writes vectors of the last frame, which the pass reads: a fully open lobe on the wall if bit 0 of `open` is set, on
@@ -299,7 +274,7 @@ static void leave_lobes(const kit_run *run, int pass, const kit_image *frame, in
         double v[16] = { 0 };
         if (open >> !upright & 1) open_vector(v, n);
         for (int k = 0; k < 8; ++k)
-            texel[k / 4][i][k % 4] = half_of(v[2 * k]) | half_of(v[2 * k + 1]) << 16;
+            texel[k / 4][i][k % 4] = (uint32_t)half_of((float)v[2 * k]) | (uint32_t)half_of((float)v[2 * k + 1]) << 16;
     }
     const kit_pass *p = &run->pass[pass];
     for (int k = 0; k < p->step->inputs; ++k) {
@@ -319,8 +294,8 @@ static void emitters_are_dimmed(void)
     static const double planes[2][4] = { { 1, 0, 0, -0.5 }, { 0, 0, 1, -4 } };
     static const char *const methods[2] = { "s3ho-points", "s3ho" };
     const kit_camera c = looking_along_z(W, H, 0);
-    kit_image frame;
-    kit_gbuffer g;
+    OWN(kit_image) frame = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
     if (!planes_seen(&frame, &c, planes, 2, ",albedo.R,albedo.G,albedo.B")) return;
     for (int i = 4 * W * H; i < 7 * W * H; ++i) frame.data[i] = 0.8f;
     if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
@@ -353,7 +328,6 @@ static void emitters_are_dimmed(void)
         t_note("%s: %.1e off, where %.2f is sent", methods[m], worst, sent);
         for (int k = 0; k < 6; ++k) free(vector[k]);
     }
-    kit_image_free(&frame); kit_gbuffer_free(&g);
 }
 
 /* Checks that a chain's gather reads, of the last frame, the vectors that the filter wrote. */
@@ -417,16 +391,17 @@ static void lamps_light_what_faces_them(void)
     float P[3];
     double worst = 0;
     kit_lighting l;
-    kit_image frame, out, sent;
-    kit_gbuffer g;
+    OWN(kit_image) frame = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
     kit_camera_point(&c, MIDDLE_X, MIDDLE_Y, 2, P);
     if (!lighten(&l, NULL, "point:0,0,0,1,1,1") || !walls(&g, &frame, &c, plane, 1, "")) return;
     for (int bands = 1; bands <= 4; ++bands) {
-        kit_run run;
+        OWN(kit_run) run = { 0 };
         char set[64];
         snprintf(set, sizeof set, "indirect=none,store=float,bands=%d", bands);
         if (!begin(&run, &g, "s3ho-points", set, 0.5f, NULL, &l)) return;
         for (int k = 0; k < 3 * 4 * 5; ++k) {
+            OWN(kit_image) out = { 0 }, sent = { 0 };
             const int window = k / 20, m = k / 5 % 4, last = k == 3 * 4 * 5 - 1;
             const double angle = angles[k % 5] * pi / 180, sun = row[m].kind > 0 ? 0 : 1, d = row[m].distance,
                          cap = sqrt(1 - row[m].radius * row[m].radius / (d * d));
@@ -460,14 +435,10 @@ static void lamps_light_what_faces_them(void)
                           "%g comes in, %g goes out, by pass shade %g", (double)comes[i], (double)goes[i],
                           (double)sent.data[(3 + j) * WIDTH * HEIGHT + i]);
             }
-            if (last) kit_image_free(&sent);
             glDeleteTextures(1, &run.pass[1].lights);
-            kit_image_free(&out);
         }
-        kit_run_close(&run);
     }
     t_note("%.1e off at most", worst);
-    kit_image_free(&frame); kit_gbuffer_free(&g);
 }
 
 /* Checks that with desc.light.residual an open plane gets the exact light of suns and point lights: with any bands,
@@ -478,8 +449,8 @@ static void open_is_exact(void)
                                           "point:0.4,0.7,0.2,1,2,0.5" };
     double worst[2] = { 0, 0 };
     for (int k = 0; k < 24; ++k) {
-        static scenery s;
-        kit_image out;
+        OWN(scenery) s = { 0 };
+        OWN(kit_image) out = { 0 };
         char set[128];
         const int cones = k >= 16, lamp = k % 4 == 3;
         if (cones) snprintf(set, sizeof set, "residual=1,lights=harmonics,");
@@ -506,8 +477,6 @@ static void open_is_exact(void)
                 worst[lamp] = fmax(worst[lamp], off / (lamp ? fmax(cosine, 0.01) : 1));
             }
         }
-        kit_image_free(&out);
-        strike(&s);
     }
     SHOW(worst[0] < 0.004 && worst[1] < 1e-4,
          "suns, through a map of 32 x 32, are off by %.1e of the light sent, lamps by %.1e", worst[0], worst[1]);
@@ -522,15 +491,12 @@ static int ridge(kit_gbuffer *g)
     static const char slabs[] = ",back.Z,front2.Z,back2.Z";
     enum { WIDTH = 97, PIXELS = WIDTH * 55 };
     const kit_camera c = looking_along_z(WIDTH, PIXELS / WIDTH, 0);
-    kit_image frame, other;
+    OWN(kit_image) frame = { 0 }, other = { 0 };
     if (!planes_seen(&frame, &c, side[0], 1, slabs) || !planes_seen(&other, &c, side[1], 1, slabs)) return 0;
     for (int i = 0; i < PIXELS; ++i)                       /* keeps the farther one of the ridge's two slopes */
         for (int k = 3; other.data[i] > frame.data[i] && k >= 0; --k)
             frame.data[k * PIXELS + i] = other.data[k * PIXELS + i];
-    const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &c, &err));
-    kit_image_free(&frame);
-    kit_image_free(&other);
-    return ok;
+    return TRY(kit_gbuffer_from_frame(g, &frame, &c, &err));
 }
 
 /* Checks pairs of pictures that must be equal, or must not: their difference, over the first one's mean. A sun whose
@@ -611,13 +577,12 @@ static void compare(int ridges)
         kit_camera_matrices(&s.g.camera, view, projection);
         for (int k = 0; k < 2; ++k) {
             const float radius = !on_ridge ? s.scene.radius : k ? 1e-6f : 0.1f;
-            kit_run run;
+            OWN(kit_run) run = { 0 };
             char set[160];
             snprintf(set, sizeof set, "%s%s", row[m].set, row[m].own[k]);
             if (!begin(&run, &s.g, row[m].method[k], set, radius, on_ridge ? NULL : &s.scene, &s.light)) return;
             if (row[m].stage == UNDER_SUN) ssgi_gl_harmonics_set(&run.frame, light, 3, view, NULL);
             if (!drawn(&out[k], &run)) return;
-            kit_run_close(&run);
         }
         const float *const a = kit_image_channel(&out[0], row[m].channel),
                     *const b = kit_image_channel(&out[1], row[m].channel);
@@ -658,12 +623,12 @@ static void cones_are_found(void)
     static const double plane[1][4] = { { 0, 0, 1, -2 } };
     const kit_camera c = looking_along_z(SIZE, SIZE, 1);
     double worst[3] = { 0 };
-    float *vector = malloc(4 * SIZE * SIZE * sizeof *vector), *map = malloc(3 * SIZE * SIZE * sizeof *map),
+    FREED float *vector = malloc(4 * SIZE * SIZE * sizeof *vector), *map = malloc(3 * SIZE * SIZE * sizeof *map),
           *bent = malloc(4 * SIZE * SIZE * sizeof *bent);
-    kit_lighting l;
-    kit_image frame, out;
-    kit_gbuffer g;
-    kit_run run;
+    OWN(kit_lighting) l = { 0 };
+    OWN(kit_image) frame = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
+    OWN(kit_run) run = { 0 };
     if (!vector || !map || !bent || !lighten(&l, "sky", NULL) || !walls(&g, &frame, &c, plane, 1, "")
         || !begin(&run, &g, "ssbn-points", "store=float", 0.5f, NULL, &l))
         return;
@@ -689,6 +654,7 @@ static void cones_are_found(void)
         glBindTexture(GL_TEXTURE_2D, run.pass[0].target[0]);
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, SIZE, SIZE, GL_RGBA, GL_FLOAT, vector);
         if (k < CONES) {
+            OWN(kit_image) out = { 0 };
             if (!drawn(&out, &run)) return;
             for (int i = 0; i < 3 * SIZE * SIZE; ++i) {
                 /* beyond an edge the map continues mirrored */
@@ -697,7 +663,6 @@ static void cones_are_found(void)
                 worst[0] =
                     fmax(worst[0], fabs((double)out.data[((3 + i % 3) * SIZE + SIZE - 1 - y) * SIZE + x] / truth - 1));
             }
-            kit_image_free(&out);
         } else {
             kit_run_draw(&run, 0);
             if (!CHECK(!kit_texture_read(run.pass[1].target[0], SIZE, SIZE, 4, bent), "a target cannot be read"))
@@ -714,21 +679,19 @@ static void cones_are_found(void)
     }
     SHOW(worst[0] <= 2e-5 && worst[1] <= 1e-6 && worst[2] <= 1e-5,
          "light is off by %.1e of it, directions by %.1e, cosines by %.1e", worst[0], worst[1], worst[2]);
-    free(vector); free(map); free(bent);
-    kit_run_close(&run); kit_image_free(&frame); kit_image_free(&l.env); kit_gbuffer_free(&g);
 }
 
 /* Checks the floor before a wall: the mean free direction, its cone's cosine, the free share of uniform light. */
 static void bent_normals_bend(void)
 {
     static const wall walls[2] = { { 0.1, 9, 1, whole }, { 0.25, 9, 1, whole } };
-    kit_lighting l;
+    OWN(kit_lighting) l = { 0 };
     if (!lighten(&l, "white", NULL)) return;
     for (int m = 0; m < ROWS(walls); ++m) {
         double plane[2][4], along[3], v[16], light[4], direction = 0;
         float texel[4 * COLUMNS];
-        kit_gbuffer g;
-        kit_run run;
+        OWN(kit_gbuffer) g = { 0 };
+        OWN(kit_run) run = { 0 };
         corner_planes(plane, walls[m].c, 0);
         for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
         wall_vector(v, &walls[m], plane[0], along);
@@ -748,10 +711,7 @@ static void bent_normals_bend(void)
         SHOW(off[0] <= 0.02 && fabs(off[1]) <= 0.02 && fabs(off[2]) <= 0.003,
              "c %g: the direction is off by %.4f, the cosine %.4f by %+.4f, light by %+.4f", walls[m].c, off[0], cosine,
              off[1], off[2]);
-        kit_run_close(&run);
-        kit_gbuffer_free(&g);
     }
-    kit_image_free(&l.env);
 }
 
 /* ---- light that varies ------------------------------------------------------------------------------------------- */
@@ -776,7 +736,7 @@ static void light_varies(void)
                 { "ssdo", "bounce=none,environment=sh,blur=1,restore=ratio,bands=1", 1 },
                 { "s3ho-points", "indirect=joint,filtered=light,blur=1,restore=difference", 4 },
                 { "s3ho-points", "indirect=none,filtered=coefficients,bands=2", 2 } };
-    static scenery s;
+    OWN(scenery) s = { 0 };
     float light[48], view[16], projection[16];
     double worst = 0;
     some_light(light);
@@ -785,7 +745,7 @@ static void light_varies(void)
     for (int m = 0; m < ROWS(row); ++m) {
         kit_image out[2];
         for (int own = 0; own < 2; ++own) {
-            kit_run run;
+            OWN(kit_run) run = { 0 };
             char text[2048];
             if (!begin(&run, &s.g, row[m].method, row[m].set, s.scene.radius, &s.scene, &s.light)) return;
             if (own) memset(run.frame.harmonics, 0, sizeof run.frame.harmonics);
@@ -797,7 +757,6 @@ static void light_varies(void)
                 if (!remade(&run, i)) return;
             }
             if (!drawn(&out[own], &run)) return;
-            kit_run_close(&run);
         }
         const float *const is = kit_image_channel(&out[0], "irradiance.R"),
                     *const of_own = kit_image_channel(&out[1], "irradiance.R");
@@ -807,7 +766,6 @@ static void light_varies(void)
         SHOW(worst < 4e-5 && mean(&out[0], "irradiance.G") > 0.5, "%s %s: %.1e off", row[m].method, row[m].set, worst);
         for (int k = 0; k < 2; ++k) kit_image_free(&out[k]);
     }
-    strike(&s);
 }
 
 void test_coefficients(void)

@@ -193,11 +193,6 @@ static void names(void)
                   || strstr(ssgi_gl__rows[r].io.type, "Array"),
               "%s is fetched at u_ssgi_origin and no texture of yours", ssgi_gl__rows[r].io.name);
     }
-    for (int r = 1; r < ROWS; ++r) {
-        const ssgi_gl_io *a = &ssgi_gl__rows[r - 1].io, *b = &ssgi_gl__rows[r].io;
-        CHECK(a->kind != SSGI_GL_IO_PARAM || b->kind != SSGI_GL_IO_PARAM || a->slot != b->slot || a->offset < b->offset,
-              "rows of a block are not in the order of its struct: %s, %s", a->name, b->name);
-    }
 }
 
 /* Returns whether every line that sets a name contains one of two words, and there is such a line. */

@@ -72,10 +72,9 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
         glActiveTexture(GL_TEXTURE0 + (GLenum)k);
         glBindTexture(kinds[k], 0);
     }
-    float *texels = malloc(4 * POINTS * sizeof *texels);
+    FREED float *texels = malloc(4 * POINTS * sizeof *texels);
     ok = texels && CHECK(!kit_texture_read(target, 64, 64, 4, texels), "it cannot be read");
     for (int i = 0; i < POINTS && ok; ++i) out[i] = texels[4 * i];
-    free(texels);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteProgram(program);
@@ -142,7 +141,7 @@ static const ssgi_field *field_of(const kit_scene *scene, int object, int resolu
 static void same_as_on_the_cpu(void)
 {
     static float first[4 * POINTS], second[4 * POINTS], out[POINTS], expected[POINTS];
-    kit_scene scene;
+    OWN(kit_scene) scene = { 0 };
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
     for (int m = 0; m < 5; ++m) {
         const ssgi_field *f[2] = { field_of(&scene, 3 + m % 4, 8), field_of(&scene, 12, 5) };
@@ -202,7 +201,6 @@ static void same_as_on_the_cpu(void)
         }
         glDeleteTextures(2, textures);
     }
-    kit_scene_free(&scene);
 }
 
 /* ---- pictures ---------------------------------------------------------------------------------------------------- */
@@ -211,15 +209,12 @@ static int drawn_aof(kit_image *out, kit_gbuffer *g, const kit_scene *scene, con
 {
     const kit_world world = { scene, NULL };
     kit_method m;
-    kit_run run;
-    int ok = TRY(kit_method_find(&m, "aof", &err))
-             && TRY(kit_method_set(&m, "field_resolution=8,radii=8,rays=64", &err))
-             && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(&run, g, &m, 1, &world, &err));
-    if (!ok) return 0;
+    OWN(kit_run) run = { 0 };
+    if (!TRY(kit_method_find(&m, "aof", &err)) || !TRY(kit_method_set(&m, "field_resolution=8,radii=8,rays=64", &err))
+        || !TRY(kit_method_set(&m, set, &err)) || !TRY(kit_run_open(&run, g, &m, 1, &world, &err)))
+        return 0;
     kit_run_draw(&run, 0);
-    ok = TRY(kit_run_read(out, &run, &err));
-    kit_run_close(&run);
-    return ok;
+    return TRY(kit_run_read(out, &run, &err));
 }
 
 /* Checks every pixel of the plane against the closed form of a ball that rests on it. The ball and the background stay
@@ -228,9 +223,9 @@ static void ball_on_a_plane(void)
 {
     static const struct { const char *set; double most; } tables[] = { { "cap_table=128", 6.6e-4 },
                                                                        { "cap_table=32", 2.9e-3 } };
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_image closed, out, frame;
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
+    OWN(kit_image) closed = { 0 }, frame = { 0 };
     double off = 0, sum = 0;
     int plane = 0, own = 0;
     if (!scene_of(&scene, &g, "sphere", NULL) || !drawn_aof(&closed, &g, &scene, "")
@@ -252,21 +247,18 @@ static void ball_on_a_plane(void)
           "off by %.4f over %d pixels (mean %.3f), %d of the ball's own shaded", off, plane, sum / plane, own);
     t_note("off by %.4f at most", off);
     for (int n = 0; n < 2; ++n) {
+        OWN(kit_image) out = { 0 };
         double worst = 0;
         if (!drawn_aof(&out, &g, &scene, tables[n].set)) return;
         for (int i = 0; i < W * H; ++i) worst = fmax(worst, fabs((double)out.data[i] - (double)closed.data[i]));
         CHECK(worst < tables[n].most && worst > 0.01 * tables[n].most, "%s: off by %.2e", tables[n].set, worst);
         t_note("%s: off by at most %.1e", tables[n].set, worst);
-        kit_image_free(&out);
     }
-    kit_image_free(&frame);
-    kit_image_free(&closed);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks that a draw covers each occluder's sphere of influence: seen from outside, from within, beside the picture and
-   behind the eye. Compared with all occluders at every pixel, on the CPU. */
+   behind the eye. Each leaves its share of what the others leave: compared with the product over all occluders at every
+   pixel, on the CPU. In the last row no object occludes. */
 static void what_a_draw_covers(void)
 {
     static const struct { float eye[3], target[3], fovy, height; int depth;
@@ -274,15 +266,16 @@ static void what_a_draw_covers(void)
                    { { 0.3f, 1.2f, 0.5f }, { 3, 0, -2 }, 100, 0, KIT_DEPTH_INFINITE },
                    { { 6, 8, 4 }, { 0, 0, 0 }, 0, 9, KIT_DEPTH_REVERSED },
                    { { 1, 9, 1 }, { 1, 0, 1.01f }, 30, 0, KIT_DEPTH_NORMAL },
-                   { { -5, 2, 0 }, { 5, 1, 0.4f }, 60, 0, KIT_DEPTH_NORMAL } };
+                   { { -5, 2, 0 }, { 5, 1, 0.4f }, 60, 0, KIT_DEPTH_NORMAL },
+                   { { 0, 6, 12 }, { 0, 0, 0 }, 45, 0, KIT_DEPTH_NORMAL } };
     enum { SHAPES = 8 };
     const char *set = "reach=2.5,ramp=0.6";
     double worst = 0;
-    for (int m = 0; m < (int)(sizeof camera / sizeof camera[0]); ++m) {
-        kit_scene scene;
-        kit_gbuffer g;
+    for (int m = 0; m < ROWS(camera); ++m) {
+        OWN(kit_scene) scene = { 0 };
+        OWN(kit_gbuffer) g = { 0 };
         kit_camera c;
-        kit_image out, frame;
+        OWN(kit_image) out = { 0 }, frame = { 0 };
         if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
         c = scene.camera;
         memcpy(c.eye, camera[m].eye, sizeof c.eye);
@@ -295,16 +288,18 @@ static void what_a_draw_covers(void)
         c.height = H;
         const int margin[4] = { 5, 3, 2, 9 };
         kit_scene_move(&scene, 0.2 * m);
+        for (int o = 0; o < scene.objects; ++o) scene.object[o].casts &= m + 1 < ROWS(camera);
         if (!TRY(kit_gbuffer_from_scene(&g, &scene, &c, margin, &err)) || !drawn_aof(&out, &g, &scene, set)
             || !TRY(kit_gbuffer_read(&frame, &g, &err)))
             return;
         float view[16], projection[16];
-        float *number = malloc((size_t)g.width * (size_t)g.height * sizeof *number);
+        FREED float *number = malloc((size_t)g.width * (size_t)g.height * sizeof *number);
         kit_camera_matrices(&g.camera, view, projection);
         CHECK(!kit_texture_read(g.object, g.width, g.height, 1, number), "object numbers cannot be read");
         const ssgi_field_desc d = { .resolution = 8, .radii = 8, .rays = 64, .reach = 2.5f };
         const ssgi_field *field[SHAPES] = { NULL };
         double off = 0;
+        int met = 0;
         if (!CHECK(scene.shapes <= SHAPES, "%d shapes", scene.shapes)) return;
         for (int o = 0; o < scene.objects; ++o) {
             const int shape = scene.object[o].shape;
@@ -316,6 +311,7 @@ static void what_a_draw_covers(void)
             const float z = kit_image_channel(&frame, "Z")[i];
             uint32_t shown;
             double expected = 1;
+            int by = 0;
             float p[3], n[3];
             memcpy(&shown, &number[(g.viewport[1] + H - 1 - i / W) * g.width + g.viewport[0] + i % W], sizeof shown);
             if (z > 0) {
@@ -332,84 +328,24 @@ static void what_a_draw_covers(void)
                 const ssgi_field *f = field[object->shape];
                 ssgi_field_limits l = ssgi_field_limits_of(f);
                 l.ramp = 0.6f * l.reach;
-                expected *= 1 - occluded(f, &l, object->to_world, p, n);
+                const double taken = occluded(f, &l, object->to_world, p, n);
+                expected *= 1 - taken;
+                by += taken > 0.02;
             }
             off = fmax(off, fabs(expected - (double)out.data[i]));
+            met += by > 1;
         }
         worst = fmax(worst, off);
-        CHECK(off < 2e-3, "camera %d: off by %.2g", m, off);
-        free(number);
-        kit_image_free(&out);
-        kit_image_free(&frame);
-        kit_gbuffer_free(&g);
-        kit_scene_free(&scene);
+        CHECK(off < 2e-3 && (met > 300) == (m + 1 < ROWS(camera)), "camera %d: off by %.2g, %d pixels see several", m,
+              off, met);
     }
-    t_note("five cameras, off by %.1e at most", worst);
+    t_note("six cameras, off by %.1e at most", worst);
 }
 
-/* Checks that two occluders' occlusion is between the larger single one and the sum. Without any all is open. */
-static void combination(void)
-{
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_image both, single[2], other;
-    int bad = 0, met = 0;
-    if (!scene_of(&scene, &g, "boxes", NULL)) return;
-    for (int k = 0; k < scene.objects; ++k) scene.object[k].casts = k == 1 || k == 2;
-    if (!drawn_aof(&both, &g, &scene, "")) return;
-    for (int s = 0; s < 2; ++s) {
-        scene.object[1].casts = s == 0;
-        scene.object[2].casts = s == 1;
-        if (!drawn_aof(&single[s], &g, &scene, "")) return;
-    }
-    for (int i = 0; i < W * H; ++i) {
-        const double a = 1 - (double)single[0].data[i], b = 1 - (double)single[1].data[i],
-                     ab = 1 - (double)both.data[i];
-        bad += !(ab >= fmax(a, b) - 1e-6 && ab <= fmin(a + b, 1) + 1e-6 && fabs(1 - ab - (1 - a) * (1 - b)) < 1e-6);
-        met += a > 0.02 && b > 0.02;
-    }
-    CHECK(!bad && met > 300, "%d pixels are out of bounds, %d see both", bad, met);
-    scene.object[1].casts = scene.object[2].casts = 0;
-    if (!drawn_aof(&other, &g, &scene, "")) return;
-    for (int i = 0; i < W * H; ++i) bad += other.data[i] != 1;
-    CHECK(!bad, "without occluders %d pixels are not open", bad);
-    kit_image_free(&other);
-    kit_image_free(&both);
-    for (int s = 0; s < 2; ++s) kit_image_free(&single[s]);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
-}
-
-/* Checks the error against rays, over that of no occlusion. A coarse cube map and normals from depth raise it. */
-static void against_truth(void)
-{
-    static const struct { const char *set; double share; } row[] = { { "rays=32", 0.16 },
-                                                                    { "field_resolution=4,rays=32", 0.18 },
-                                                                    { "normal=depth,rays=32", 0.25 } };
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_image truth, out, none;
-    if (!scene_of(&scene, &g, "casters", NULL) || !TRY(kit_truth_objects(&truth, &scene, &g.camera, 64, 1, &err))
-        || !TRY(kit_image_new(&none, W, H, "Y", &err)))
-        return;
-    for (int i = 0; i < W * H; ++i) none.data[i] = 1;
-    const double nothing = difference(&none, &truth);
-    for (int m = 0; m < 3; ++m) {
-        if (!drawn_aof(&out, &g, &scene, row[m].set)) return;
-        const double rmse = difference(&out, &truth);
-        CHECK(rmse < row[m].share * nothing, "%s: RMSE %.4f of %.4f", row[m].set, rmse, nothing);
-        t_note("%s: RMSE %.4f, %.3f of no occlusion's", row[m].set, rmse, rmse / nothing);
-        kit_image_free(&out);
-    }
-    kit_image_free(&truth);
-    kit_image_free(&none);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
-}
-
+/* Checks what no row of test_arguments.c can break: a field without texels, limits of this field, a sheared matrix. */
 static void refusals(void)
 {
-    kit_scene scene;
+    OWN(kit_scene) scene = { 0 };
     ssgi_gl_occluder occluder, was;
     float m[16];
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
@@ -420,26 +356,15 @@ static void refusals(void)
     placed(m, 1, 2, 0, 0, -5);
 #define REFUSED(name, ...) T_REFUSED(ssgi_gl_occluder_set(__VA_ARGS__, &why), SSGI_BAD_ARGUMENT, name, occluder, was)
     const ssgi_field none = { .resolution = f->resolution, .reach = f->reach };
-    REFUSED("occluder", NULL, f, &fine, m, 0, 0);
     REFUSED("field", &occluder, &none, &fine, m, 0, 0);
-    REFUSED("mesh_to_view", &occluder, f, &fine, NULL, 0, 0);
-    REFUSED("slice", &occluder, f, &fine, m, -1, 0);
-    REFUSED("slice", &occluder, f, &fine, m, 2048, 0);
-    REFUSED("object", &occluder, f, &fine, m, 0, 1 << 24);
     const struct { const char *name; ssgi_field_limits l; } bad[] = {
         { "limits.reach", { fine.reach, fine.reach, fine.inside, 1 } },
         { "limits.reach", { fine.ramp, 1.01f * fine.reach, fine.inside, 1 } },
-        { "limits", { NAN, fine.reach, fine.inside, 1 } },
         { "limits.inside", { fine.ramp, fine.reach, 1.1f, 1 } },
         { "limits.power", { fine.ramp, fine.reach, fine.inside, 0 } } };
-    for (int k = 0; k < 5; ++k) REFUSED(bad[k].name, &occluder, f, &bad[k].l, m, 0, 0);
-    for (int k = 0; k < 3; ++k) {              /* stretched, sheared, not finite */
-        placed(m, 1, 2, 0, 0, -5);
-        for (int i = 0; i < 3 && !k; ++i) m[i] *= 1.1f;
-        if (k == 1) m[4] += m[0];
-        if (k == 2) m[13] = INFINITY;
-        REFUSED("mesh_to_view", &occluder, f, &fine, m, 0, 0);
-    }
+    for (int k = 0; k < ROWS(bad); ++k) REFUSED(bad[k].name, &occluder, f, &bad[k].l, m, 0, 0);
+    m[4] += m[0];                              /* sheared */
+    REFUSED("mesh_to_view", &occluder, f, &fine, m, 0, 0);
 #undef REFUSED
     placed(m, 1, 2, 0, 0, -5);
     for (int i = 2; i < 16; i += 4) m[i] = -m[i];          /* a left-handed engine's */
@@ -450,7 +375,6 @@ static void refusals(void)
             for (int j = 0; j < 3; ++j) to += occluder.to_field[i][j] * m[4 * k + j];
             CHECK(fabsf(to - (float)(i == k)) < 1e-6f, "a mirrored occluder: %d %d is %g", i, k, (double)to);
         }
-    kit_scene_free(&scene);
 }
 
 void test_occluders(void)
@@ -459,9 +383,8 @@ void test_occluders(void)
     RUN("the shader's caps are the CPU's", caps);
     RUN("the shader's fields are the CPU's: turned, scaled and moved", same_as_on_the_cpu);
     RUN("a ball on a plane is its closed form", ball_on_a_plane);
-    RUN("a draw covers each occluder's sphere of influence from anywhere", what_a_draw_covers);
-    RUN("occluders combine to between the most and the sum; one draw and a draw each agree", combination);
-    RUN("two dozen occluders against rays", against_truth);
+    RUN("a draw covers each occluder's sphere of influence from anywhere, and takes its share of what is left",
+        what_a_draw_covers);
     RUN("an occluder that cannot be set is refused", refusals);
     kit_fields_free();
     kit_gl_close();

@@ -88,13 +88,12 @@ static void corner_converges(void)
     for (int i = 0; i < 16; ++i) { tile[i][0] = 1; tile[i][1] = tile[i][2] = 0; tile[i][3] = (float)i / 16; }
     for (int i = 0; i < 4; ++i) {
         double plane[2][4];
-        kit_image frame;
+        OWN(kit_image) frame = { 0 };
         const kit_camera camera = corner_planes(plane, at[i], 0);
         if (!walls(&g[i], &frame, &camera, (const double (*)[4])plane, 2, "")) return;
-        kit_image_free(&frame);
     }
     for (int m = 0; m < ROWS(row); ++m) {
-        kit_run run;
+        OWN(kit_run) run = { 0 };
         char set[112];
         const int steps = row[m].steps, hard = row[m].hard;
         snprintf(set, sizeof set,
@@ -112,7 +111,6 @@ static void corner_converges(void)
             CHECK(fabs(o - exact) <= 0.004 && low <= (hard ? 1.7 : 2.5) / steps && low > -0.002,
                   "%s, c %g: %.4f, the exact march has %.4f, and is %.4f below the truth", set, at[i], o, exact, low);
         }
-        kit_run_close(&run);
     }
     t_note("%.4f off the exact march, %.2f/steps off the truth, hard %.2f/steps", worst, scaled[0], scaled[1]);
     for (int i = 0; i < 4; ++i) kit_gbuffer_free(&g[i]);
@@ -128,7 +126,7 @@ static const double pit_lid = 0.6, pit_wall = 0.3;    /* in radii over the floor
 static int pit(kit_gbuffer *g, int lid, int wall)
 {
     kit_camera camera = looking_along_z(PIT, PIT, 1);
-    kit_image frame;
+    OWN(kit_image) frame = { 0 };
     camera.ortho_height = (float)PIT / PIT_RADIUS;
     if (!TRY(kit_image_new(&frame, PIT, PIT,
                            "Z,N.X,N.Y,N.Z,layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z,layer2.Z,layer2.N.X,layer2.N.Y,"
@@ -144,9 +142,7 @@ static int pit(kit_gbuffer *g, int lid, int wall)
             frame.data[(4 * (k - first) + 3) * PIT * PIT + i] = 1;
         }
     }
-    const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
-    kit_image_free(&frame);
-    return ok;
+    return TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
 }
 
 /* Returns the occlusion at the picture's centre pixel, as a mean over phases. The frame's first row is the top. */
@@ -198,8 +194,8 @@ static void terms_of_the_march(void)
                 { "march_terms=horizon,growing_sphere=1,samples=12", 0, 1, 0.208, 0.266 } };
     double o[ROWS(row)];
     for (int i = 0; i < ROWS(row); ++i) {
-        kit_gbuffer g;
-        kit_run run;
+        OWN(kit_gbuffer) g = { 0 };
+        OWN(kit_run) run = { 0 };
         char set[160];
         snprintf(set, sizeof set,
                  "directions=32,normal_rays=8,samples=48,falloff=none,blur=0,offset=0,thickness=solid,%s", row[i].set);
@@ -207,8 +203,6 @@ static void terms_of_the_march(void)
         o[i] = at_centre(&run);
         CHECK(o[i] >= row[i].least - 1e-6 && o[i] <= row[i].most + 1e-6, "%s%s%s: %.4f, not in %g..%g", row[i].set,
               row[i].lid ? ", lid" : "", row[i].wall ? ", wall" : "", o[i], row[i].least, row[i].most);
-        kit_run_close(&run);
-        kit_gbuffer_free(&g);
     }
     CHECK(fabs(o[2] + o[3] - o[4]) < 1e-5 && fabs(o[6] + o[9] - o[7]) < 1e-5 && fabs(o[10] + o[11] - o[12]) < 1e-5,
           "the terms are not the sum's: %g + %g, %g; %g + %g, %g; %g + %g, %g", o[2], o[3], o[4], o[6], o[9], o[7],
@@ -257,22 +251,18 @@ static kit_gbuffer raw(const kit_camera *c, int linear, GLenum format, const flo
    silhouette beside it, and solid surfaces then block it at any radius: a limit of ssao and of normal rays. */
 static void tiny_radii_see_nothing(void)
 {
-    kit_scene scene;
-    kit_gbuffer g;
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
     if (!see(&scene, &g, "room", NULL, 0, NULL, 160, 90)) return;
     for (int m = 0; m < LIT; ++m) {
         const int allowed = strstr(methods[m].set, "thickness=solid") ? 160 * 90 / 10 : 0;
-        kit_run run;
-        kit_image out;
+        OWN(kit_run) run = { 0 };
+        OWN(kit_image) out = { 0 };
         int dark = 0;
         if (!open_run(&run, &g, methods[m].method, methods[m].set, 1e-6f, NULL, NULL) || !drawn(&out, &run)) return;
         for (int i = 0; i < out.width * out.height; ++i) dark += !(out.data[i] >= 1 - 1e-6f);
         CHECK(dark <= allowed, "%s %s: %d pixels are not 1", methods[m].method, methods[m].set, dark);
-        kit_image_free(&out);
-        kit_run_close(&run);
     }
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks random values among sound texels, more in each picture; and sound pictures of every size, with holes, half of
@@ -295,7 +285,7 @@ static void garbage_is_survived(void)
                  { "hardware depth", 0, 0, KIT_DEPTH_NORMAL, GL_DEPTH_COMPONENT32F } };
     static float depth[SEEDS + SIZES / 2][MOST], normal[4 * MOST];
     static kit_run runs[METHODS];
-    kit_lighting white;
+    OWN(kit_lighting) white = { 0 };
     kit_gbuffer g[SEEDS + SIZES / 2];
     if (!lighten(&white, "white", NULL)) return;
     for (int k = 0; k < ROWS(kind); ++k) {
@@ -333,7 +323,6 @@ static void garbage_is_survived(void)
         }
         for (int s = 0; s < pictures; ++s) kit_gbuffer_free(&g[s]);
     }
-    kit_image_free(&white.env);
 }
 
 /* Checks a post 12 pixels wide and a pole of one pixel before a wall: the measured thickness of each, by its own width,
@@ -353,7 +342,8 @@ static void widths_are_measured(void)
         const kit_camera c = looking_along_z(W, H, orthographic);
         const double wide = orthographic ? 2.0 / H : 2 * tan(acos(-1) / 8) / H,      /* a pixel's width at depth 1 */
                      close = orthographic ? wide : 5 * wide, radius = 32 * close;
-        kit_run run;
+        OWN(kit_gbuffer) g = { 0 };
+        OWN(kit_run) run = { 0 };
         int bad[4] = { 0 };
         for (int i = 0; i < W * H; ++i) {
             const int x = i % W, y = i / W, post = x >= POST && x < POST + ACROSS;
@@ -362,7 +352,7 @@ static void widths_are_measured(void)
             back[i] = x == POLE ? 4 : !post ? 0 : y < H / 2 ? 5.5f : 5; /* the post: a solid below, a sheet above */
             normal[4 * i + 2] = 1;
         }
-        kit_gbuffer g = raw(&c, 1, GL_R32F, depth, normal);
+        g = raw(&c, 1, GL_R32F, depth, normal);
         g.back = kit_texture(W, H, GL_R32F, back);
         if (!open_run(&run, &g, "hsao", rows[r].set, (float)radius, NULL, NULL)) return;
         run.frame.thickness_limit = (float)radius;
@@ -387,8 +377,6 @@ static void widths_are_measured(void)
             }
         CHECK(!bad[0] && !bad[1] && !bad[2] && !bad[3], "row %zu: wrong are %d depths, %d pixels of the post, %d of "
               "the pole, %d of the wall", r, bad[0], bad[1], bad[2], bad[3]);
-        kit_run_close(&run);
-        kit_gbuffer_free(&g);
     }
 }
 
@@ -415,12 +403,11 @@ static float ramp_value(int x, int y)     { return 0.1f + 0.001f * (float)x + 0.
 static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[4], int planes, const char *set,
                        float (*value)(int x, int y), float (*expected)(int x, int y), int border)
 {
-    kit_gbuffer g;
-    kit_image frame, right, out;
+    OWN(kit_gbuffer) g = { 0 };
+    OWN(kit_image) frame = { 0 }, right = { 0 }, out = { 0 };
     double worst = 0;
     if (!planes_seen(&frame, c, plane, 1, "") || !planes_seen(&right, c, plane + planes - 1, 1, "")) return 1;
     for (int i = 0; i < frame.width * frame.height; ++i) if (i % frame.width >= 30) frame.data[i] = right.data[i];
-    kit_image_free(&right);
     if (!TRY(kit_gbuffer_from_frame(&g, &frame, c, &err))) return 1;
     if ((!run->passes && !open_run(run, &g, "ssao", set, 0.5f, NULL, NULL)) || !fit(run, &g, 0.5f)) return 1;
     kit_pass *p = &run->pass[0];
@@ -441,9 +428,6 @@ static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[
             const double d = fabs((double)out.data[y * out.width + x] - (double)expected(x, out.height - 1 - y));
             if (!(d <= worst)) worst = d;
         }
-    kit_gbuffer_free(&g);
-    kit_image_free(&frame);
-    kit_image_free(&out);
     return worst;
 }
 
@@ -468,7 +452,7 @@ static void filter_keeps_its_word(void)
     for (int i = 0; i < 16; ++i) {
         const kit_camera c = looking_along_z(61 + 2 * i, 45, i & 1);
         const char *set = row[i / 2].set;
-        kit_run run = { 0 };
+        OWN(kit_run) run = { 0 };
         const double constant = filtered(&run, &c, tilted, 1, set, constant_value, constant_value, 0),
                      edge = filtered(&run, &c, facing, 2, set, side_value, side_value, 0),
                      tile = row[i / 2].tile ? fmax(filtered(&run, &c, facing, 1, set, tile_value, mean_value, 3),
@@ -477,7 +461,6 @@ static void filter_keeps_its_word(void)
                      ramp = row[i / 2].ramp ? filtered(&run, &c, facing, 1, set, ramp_value, ramp_value, 8) : 0;
         /* half resolution: odd pixels have one more sample to the left and below, which shifts the result by less than
            half a pixel */
-        kit_run_close(&run);
         CHECK(constant <= 1e-6 && edge <= row[i / 2].edge, "%s: a constant is off by %g, %g crosses an edge", set,
               constant, edge);
         CHECK(tile <= 1e-6 && ramp <= 0.5 * (0.001 + 0.002), "%s: a tile's mean is off by %g, a ramp by %g", set, tile,
@@ -531,11 +514,11 @@ static void compute_writes_the_same(void)
                                           { "hsao-history", "" },
                                           { "ssdo", "bounce=solid-angle,samples=4,shadow_size=64" },
                                           { "s3ho", "samples=4,shadow_size=64" } };
-    kit_scene scene;
+    OWN(kit_scene) scene = { 0 };
     kit_lighting l;
     if (!TRY(kit_scene_load(&scene, "room", 0, &err)) || !lighten(&l, "sky", "point:0,2,0,8,8,8")) return;
     for (int i = 0; i < ROWS(row); ++i) {
-        kit_image is, was;
+        OWN(kit_image) is = { 0 }, was = { 0 };
         if (!by_stages(&was, row[i][0], row[i][1], 0, &scene, &l)
             || !by_stages(&is, row[i][0], row[i][1], 1, &scene, &l)) return;
         const int n = is.width * is.height * is.channels;
@@ -543,10 +526,7 @@ static void compute_writes_the_same(void)
         for (int k = 0; k < n; ++k) differ += memcmp(&is.data[k], &was.data[k], sizeof *is.data) != 0;
         CHECK(!differ, "%s,%s: %d of %d values differ by a compute stage", row[i][0], row[i][1], differ, n);
         t_note("%s: %d of %d values differ", row[i][0], differ, n);
-        kit_image_free(&is);
-        kit_image_free(&was);
     }
-    kit_scene_free(&scene);
 }
 
 void test_pipeline(void)

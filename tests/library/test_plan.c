@@ -292,37 +292,11 @@ static void by_hand(void)
     }
 }
 
-/* Checks refusals. Floats that are not finite are tested by tests/library/nan.c. */
+/* Checks that a plan of nothing gives no desc. */
 static void refused(void)
 {
-    static const struct { const char *start; ssgi_plan_scene scene; } bad[] = {
-        { "scene.wanted", { .wanted = 4 } }, { "scene.wanted", { .wanted = -1 } },
-        { "scene.error", { .error = -1 } },
-        { "scene.unit", { .unit = 2 } }, { "scene.unit", { .unit = -1 } },
-        { "scene.error, .budget, .screen_radius", { .depth_pass = -1 } },
-        { "scene.device, .thickness", { .thickness = 4 } },
-        { "scene.device", { .device = 3 } },
-        { "scene.device, .thickness, .history, .occluders", { .occluders = -1 } } };
-    ssgi_plan plan, was;
-    ssgi_survey survey, none;
-    memset(&was, 7, sizeof was);
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
-        const char *why = "";
-        plan = was;
-        CHECK(ssgi_plan_make(&plan, &bad[i].scene, &why) == SSGI_BAD_ARGUMENT
-                  && !strncmp(why, bad[i].start, strlen(bad[i].start)) && !memcmp(&plan, &was, sizeof plan),
-              "%s: \"%s\"", bad[i].start, why);
-    }
-    memset(&none, 7, sizeof none);
-    survey = none;
-    const float pixel = 0.5f;
-    CHECK(ssgi_survey_of(NULL, &pixel, &pixel, &pixel, NULL, 1, NULL) == SSGI_BAD_ARGUMENT
-              && ssgi_survey_of(&survey, NULL, &pixel, &pixel, NULL, 1, NULL) == SSGI_BAD_ARGUMENT
-              && ssgi_survey_of(&survey, &pixel, &pixel, NULL, NULL, 1, NULL) == SSGI_BAD_ARGUMENT
-              && !memcmp(&survey, &none, sizeof none),
-          "a bad survey is taken");
+    const ssgi_plan plan = { .choice = 0 };
     ssgi_gl_desc desc = { .input.depth = SSGI_GL_DEPTH_LINEAR }, kept = desc;
-    memset(&plan, 0, sizeof plan);
     CHECK(ssgi_gl_plan(&desc, &plan, NULL) == SSGI_BAD_ARGUMENT && ssgi_gl_plan(&desc, NULL, NULL) == SSGI_BAD_ARGUMENT
               && !memcmp(&desc, &kept, sizeof desc),
           "nothing becomes a desc");
@@ -358,9 +332,9 @@ static void drawable(void)
         .thickness = SSGI_PLAN_THICKNESS_SLABS, .history = 1, .surfels = 1, .occluders = 1, .map = 1
     };
     kit_error err = { "" };
-    kit_lighting light;
-    kit_scene scene;
-    kit_gbuffer g;
+    OWN(kit_lighting) light = { 0 };
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
     CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
     if (!lighten(&light, "white", NULL) || !see(&scene, &g, "boxes", NULL, 0, NULL, 16, 16)) return;
     const kit_world world = { &scene, &light };
@@ -371,7 +345,7 @@ static void drawable(void)
             ssgi_gl_desc *desc = &chain.desc;
             const char *why = "";
             kit_method m;
-            kit_run run;
+            OWN(kit_run) run = { 0 };
             ssgi_plan p;
             if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_METHOD_NOTHING) continue;
             if (bounces && p.method == SSGI_PLAN_METHOD_S3HO) desc->light.transfer = SSGI_GL_TRANSFER_BOTH;
@@ -403,11 +377,7 @@ static void drawable(void)
                        "choice %d: %s", i, err.text))
                 continue;
             draws(&run, &chain, i);
-            kit_run_close(&run);
         }
-    kit_image_free(&light.env);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks that choices filter as the methods by name do that draw the same at the same resolution. */
@@ -449,7 +419,7 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
     const float *channel[4];
     ssgi_trace trace;
     ssgi_calibration c[2];
-    kit_image frame, truth;
+    OWN(kit_image) frame = { 0 }, truth = { 0 };
     kit_error err;
     float to_view[16], projection[16];
     double square = 0;
@@ -473,15 +443,12 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
         open[count++] = 1;
     }
     const size_t size = ssgi_trace_size(scene->mesh.triangles);
-    void *const memory = malloc(size);
+    FREED void *const memory = malloc(size);
     CHECK(ssgi_trace_build(&trace, memory, size, scene->mesh.position, 12, NULL, scene->mesh.triangles, NULL)
               == SSGI_OK, "no tree");
     for (int with = 0; with < 2; ++with)
         CHECK(ssgi_plan_calibrate(&c[with], &trace, *position, *normal, seen, with ? open : NULL,
                                   with ? open : NULL, count, 16, scene->radius, NULL) == SSGI_OK, "no calibration");
-    free(memory);
-    kit_image_free(&truth);
-    kit_image_free(&frame);
     const double nothing = sqrt(square / (double)pixels);
     CHECK(fabsf(c[1].slabs - c[1].unoccluded) < 1e-6f && !(c[0].slabs > 0), "slabs that find nothing err by %g, %g",
           (double)c[1].slabs, (double)c[0].slabs);
@@ -504,9 +471,9 @@ static void calibrated(const kit_scene *scene, const kit_gbuffer *g, const ssgi_
 static void calibrated_beyond_near(void)
 {
     kit_error err = { "" };
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_image truth;
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
+    OWN(kit_image) truth = { 0 };
     ssgi_plan_scene s;
     double square = 0;
     if (!see(&scene, &g, "random:27", NULL, 0, NULL, 64, 36)) return;
@@ -518,18 +485,15 @@ static void calibrated_beyond_near(void)
     for (int i = 0; i < pixels; ++i) square += pow(1 - (double)truth.data[i], 2); /* nothing is occluded in the sky */
     CHECK(fabs((double)s.calibration.unoccluded / sqrt(square / pixels) - 1) < 0.05,
           "an occlusion of %g is calibrated as %g", sqrt(square / pixels), (double)s.calibration.unoccluded);
-    kit_image_free(&truth);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks the kit's calibration of light: s3ho has an error, and a smaller one than no occlusion. */
 static void calibrated_light(void)
 {
     kit_error err = { "" };
-    kit_lighting light;
-    kit_scene scene;
-    kit_gbuffer g;
+    OWN(kit_lighting) light = { 0 };
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
     ssgi_plan_scene s;
     if (!lighten(&light, "sky", NULL) || !see(&scene, &g, "corner", NULL, 0, NULL, 32, 18)) return;
     const kit_world world = { &scene, &light };
@@ -537,9 +501,6 @@ static void calibrated_light(void)
     CHECK(s.calibration.s3ho > 0 && s.calibration.s3ho < 0.9f * s.calibration.unoccluded,
           "the error of s3ho is %g, of no occlusion %g", (double)s.calibration.s3ho,
           (double)s.calibration.unoccluded);
-    kit_image_free(&light.env);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks a survey's figures by pixels worked out by hand; a plane's are 0, a corner's are not. A calibration by the
@@ -559,8 +520,8 @@ static void measured(void)
               (double)survey.slabs);
     CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
     for (int k = 0; k < 2; ++k) {
-        kit_scene scene;
-        kit_gbuffer g;
+        OWN(kit_scene) scene = { 0 };
+        OWN(kit_gbuffer) g = { 0 };
         ssgi_plan_scene s;
         if (!see(&scene, &g, k ? "corner" : "plane", NULL, 0, NULL, 288, 162)) return;
         const kit_world world = { &scene, NULL };
@@ -570,8 +531,6 @@ static void measured(void)
             CHECK(s.survey.occlusion < 2e-3f && s.survey.slabs < 2e-3f && s.calibration.unoccluded < 1e-3f,
                   "a plane occludes by %g, and errs by %g", (double)s.survey.occlusion,
                   (double)s.calibration.unoccluded);
-        kit_gbuffer_free(&g);
-        kit_scene_free(&scene);
     }
 }
 
@@ -581,7 +540,7 @@ void test_plan(void)
         follows);
     RUN("plan: relative errors are those of an image without occlusion; the next choices are the next", relative);
     RUN("plan: predicted errors and costs are what the table's numbers come to by hand", by_hand);
-    RUN("plan: bad numbers are named, and nothing is touched", refused);
+    RUN("plan: of nothing there is no desc", refused);
     RUN("plan: the kit draws every choice as ssgi_gl_plan has it, by the same shaders", drawable);
     RUN("plan: a choice filters as the preset of its method does", as_named);
     RUN("plan: survey and calibration find what the truth says", measured);

@@ -105,12 +105,12 @@ static void as_the_filter(void)
         { "s3ho", "indirect=none,filtered=coefficients,store=float", "ssgi_coefficients_at" AT ".channel[0].word0" }
     };
     static float out[4 * W * H], filtered[4 * W * H];
-    static scenery of;
-    kit_image frame;
+    OWN(scenery) of = { 0 };
+    OWN(kit_image) frame = { 0 };
     if (!set_scene(&of, "casters", NULL, "sky", NULL, W, H) || !TRY(kit_gbuffer_read(&frame, &of.g, &err))) return;
     const float *const depth = kit_image_channel(&frame, "Z");
     for (const subject *s = subjects; s < subjects + sizeof subjects / sizeof *subjects; ++s) {
-        kit_run run;
+        OWN(kit_run) run = { 0 };
         int seen = 0, differ = 0;
         double worst = 0;
         if (!open_run(&run, &of.g, s->method, s->set, 0.5f, &of.scene, &of.light)) return;
@@ -131,10 +131,7 @@ static void as_the_filter(void)
         /* pixels differ where no texel shows the surface, which is more often at quarter resolution */
         SHOW(seen > W * H / 2 && differ <= seen / (strstr(s->set, "quarter") ? 100 : 1000),
              "%s %s: of %d pixels %d are not the filter's, by %.4f", s->method, s->set, seen, differ, worst);
-        kit_run_close(&run);
     }
-    kit_image_free(&frame);
-    strike(&of);
 }
 
 /* ---- edges, and surfaces that no texel shows -------------------------------------------------------------------- */

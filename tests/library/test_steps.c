@@ -211,13 +211,13 @@ static const char *context;
 /* Draws each method by the loop above. The picture must equal the kit's, and no binding may be wrong. */
 static void every_method(void)
 {
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_lighting l;
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
+    OWN(kit_lighting) l = { 0 };
     int draws = 0;
     if (!lighten(&l, "sky", "point:1,2,1,3,2,1") || !see(&scene, &g, "casters", NULL, 0, NULL, W, H)) return;
     for (int m = 0; m < METHODS; ++m) {
-        kit_run run;
+        OWN(kit_run) run = { 0 };
         host h;
         ssgi_gl_chain chain;
         if (kit_gl_is_es() && !methods[m].es) continue;
@@ -251,12 +251,8 @@ static void every_method(void)
         CHECK(worst <= (methods[m].pass == SSGI_GL_PASS_DSS ? 1e-4 : 0), "%s %s: %s: off by %g", context,
               methods[m].method, methods[m].set, worst);
         shut(&h);
-        kit_run_close(&run);
     }
     t_note("%s: %d draws, the kit's bytes", kit_gl_name(), draws);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
-    kit_image_free(&l.env);
 }
 
 /* Checks that the library's chain for a name has the passes that build/render draws. Only the scene sets objects, if it
@@ -264,9 +260,9 @@ static void every_method(void)
 static void methods_by_name(void)
 {
     const ssgi_gl_method *named;
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_lighting sky, lamp;
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
+    OWN(kit_lighting) sky = { 0 }, lamp = { 0 };
     if (!lighten(&sky, "sky", NULL) || !lighten(&lamp, "sky", "sun:1,2,1,3,3,3")
         || !see(&scene, &g, "casters", NULL, 0, NULL, W, H)) return;
     for (int m = 0; (named = ssgi_gl_method_at(m)) != NULL; ++m) {
@@ -274,7 +270,7 @@ static void methods_by_name(void)
         const char *why = "";
         ssgi_gl_chain chain;
         kit_method method;
-        kit_run run;
+        OWN(kit_run) run = { 0 };
         int at = 0;
         if (!CHECK(ssgi_gl_chain_of(&chain, named->name, &why) == SSGI_OK, "%s: %s", named->name, why)
             || !TRY(kit_method_find(&method, named->name, &err))) break;
@@ -295,12 +291,7 @@ static void methods_by_name(void)
             ++at;
         }
         CHECK(at == count, "%s: %d draws, by the name %d", named->name, at, count);
-        kit_run_close(&run);
     }
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
-    kit_image_free(&sky.env);
-    kit_image_free(&lamp.env);
 }
 
 /* Checks the chain that a name gives, or the beginning of its refusal, which leaves the chain as it was. */
@@ -581,13 +572,14 @@ static int seen_by(kit_scene *scene, kit_gbuffer *g, const char *name, int depth
 /* Checks that each mistake shows its fault on most of the picture. */
 static void mistakes_are_seen(void)
 {
-    char *text, start[32];
+    FREED char *text = NULL;
+    char start[32];
     size_t size;
     if (!CHECK(!kit_file_read(&text, &size, "examples/docs/INTEGRATE.md", NULL), "INTEGRATE.md cannot be read")) return;
     for (int m = 0; m < ROWS(mistakes); ++m) {
         const int how = mistakes[m].how;
-        kit_scene scene;
-        kit_gbuffer g;
+        OWN(kit_scene) scene = { 0 };
+        OWN(kit_gbuffer) g = { 0 };
         host h;
         ssgi_view view;
         union { ssgi_gl_frame frame; char bytes[sizeof(ssgi_gl_frame)]; } block;
@@ -611,10 +603,7 @@ static void mistakes_are_seen(void)
         snprintf(start, sizeof start, "| %s |", ssgi_gl_fault_at(is)->colour);
         CHECK(strstr(text, start), "INTEGRATE.md does not explain %s", ssgi_gl_fault_at(is)->colour);
         shut(&h);
-        kit_gbuffer_free(&g);
-        kit_scene_free(&scene);
     }
-    free(text);
 }
 
 /* Checks that right inputs show no fault, but on a few pixels. */
@@ -630,9 +619,9 @@ static void right_is_grey(void)
     int most = 0;
     for (int i = 0; i < ROWS(row); ++i) {
         const int linear = strstr(row[i].set, "LINEAR") != NULL;
-        kit_scene scene;
-        kit_gbuffer g, drawn_;
-        kit_image image;
+        OWN(kit_scene) scene = { 0 };
+        OWN(kit_gbuffer) g = { 0 }, drawn_ = { 0 };
+        OWN(kit_image) image = { 0 };
         host h;
         ssgi_view view;
         ssgi_gl_frame frame;
@@ -643,8 +632,6 @@ static void right_is_grey(void)
             if (!TRY(kit_gbuffer_read(&image, &drawn_, &err))
                 || !TRY(kit_gbuffer_from_frame(&g, &image, &scene.camera, &err)))
                 return;
-            kit_image_free(&image);
-            kit_gbuffer_free(&drawn_);
         }
         if (!TRY(kit_view_of(&view, g.projection, g.camera.depth, W, H, &err))) return;
         ssgi_gl_frame_init(&frame, &view, scene.radius, NULL);
@@ -655,8 +642,6 @@ static void right_is_grey(void)
         CHECK(20 * faults <= W * H && counts[k] + faults == W * H, "%s, %s: %d of %d pixels show a fault", row[i].scene,
               row[i].set, faults, W * H);
         shut(&h);
-        kit_gbuffer_free(&g);
-        kit_scene_free(&scene);
     }
     t_note("at most %.1f %% of the pixels of a right picture show a fault", 100.0 * most / (W * H));
 }
@@ -665,9 +650,9 @@ static void right_is_grey(void)
    that was read back. There are three strengths; 4 makes some pixels black. */
 static void onto_a_picture(void)
 {
-    kit_scene scene;
-    kit_gbuffer g;
-    kit_run run;
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_gbuffer) g = { 0 };
+    OWN(kit_run) run = { 0 };
     host h;
     ssgi_gl_chain chain;
     static float filtered[W * H], raw[W * H], got[4 * W * H], half[4 * W * H], quarter[4 * W * H];
@@ -710,9 +695,6 @@ static void onto_a_picture(void)
             shut(&h);
             chain = was;
         }
-    kit_run_close(&run);
-    kit_gbuffer_free(&g);
-    kit_scene_free(&scene);
 }
 
 /* Checks that a wrong field of a chain is named, and that nothing is written. */
@@ -828,18 +810,14 @@ static int into_layers(GLuint array[2], const kit_gbuffer g[EYES])
 static int eye_seen(kit_gbuffer *g, const kit_scene *scene, int k, int eye)
 {
     kit_camera c = scene->camera;
-    kit_gbuffer drawn;
-    kit_image frame;
+    OWN(kit_gbuffer) drawn = { 0 };
+    OWN(kit_image) frame = { 0 };
     c.width = eye_size[k][0];
     c.height = eye_size[k][1];
     c.eye[0] += 0.06f * (float)(k + eye);
     c.target[0] += 0.06f * (float)(k + eye);
-    if (!TRY(kit_gbuffer_from_scene(&drawn, scene, &c, NULL, &err)) || !TRY(kit_gbuffer_read(&frame, &drawn, &err)))
-        return 0;
-    kit_gbuffer_free(&drawn);
-    const int made = TRY(kit_gbuffer_from_frame(g, &frame, &c, &err));
-    kit_image_free(&frame);
-    return made;
+    return TRY(kit_gbuffer_from_scene(&drawn, scene, &c, NULL, &err)) && TRY(kit_gbuffer_read(&frame, &drawn, &err))
+           && TRY(kit_gbuffer_from_frame(g, &frame, &c, &err));
 }
 
 /* Checks two eyes, each with its own history, while the picture's size changes: as layers of array textures of the
@@ -849,8 +827,8 @@ static void eyes(void)
     static kit_gbuffer g[EYE_FRAMES][EYES];
     static host layers[EYES], alone[EYES];
     static float want[4 * W * H], got[4 * W * H];
-    kit_scene scene;
-    kit_run run;
+    OWN(kit_scene) scene = { 0 };
+    OWN(kit_run) run = { 0 };
     ssgi_gl_chain chain[2];
     double all = 0;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
@@ -908,8 +886,6 @@ static void eyes(void)
         for (int k = 0; k < EYE_FRAMES; ++k) kit_gbuffer_free(&g[k][eye]);
     }
     glDeleteTextures(2, array);
-    kit_run_close(&run);
-    kit_scene_free(&scene);
 }
 
 /* Checks that pass thickness is drawn once, before all passes that read it, with the settings of the pass that needs

@@ -671,20 +671,6 @@ static void twin_harmonics(void)
            worst[SUMS]);
 }
 
-/* Returns the bits of a half, rounded to the nearest one, or the even one of two; value_of: their value. */
-static int half_of(float x)
-{
-    const double y = fmin(fabs((double)x), 65504);
-    const int e = y < 6.103515625e-5 ? -14 : ilogb(y);
-    return (signbit(x) ? 0x8000 : 0) + ((e + 14) << 10) + (int)nearbyint(ldexp(y, 10 - e));
-}
-
-static double value_of(int half)
-{
-    const int e = half >> 10 & 31, m = half & 1023;
-    return ldexp(e ? m + 1024 : m, (e ? e : 1) - 25) * (half & 0x8000 ? -1 : 1);
-}
-
 /* Checks that every half is read exactly and floats are rounded to halves, in languages with them or without. */
 static void twin_halves(void)
 {
