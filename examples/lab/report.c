@@ -63,7 +63,6 @@ static int demo(const options *o, kit_error *err)
     if (o->mesh) ao_demo_of(o->mesh);
     units_begin(o, units_of(WITH_COUNT(first), o) + (o->mesh ? 0 : units_of(WITH_COUNT(others), o)));
     return begin(&record, o, "demo", "make demo", err) || sections(record.file, WITH_COUNT(first), o, err)
-                   || strip_demo(record.file, o, err)
                    || (!o->mesh && sections(record.file, WITH_COUNT(others), o, err))
                    || end(&record, o, "demo", err)
                ? -1

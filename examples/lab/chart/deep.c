@@ -1,94 +1,7 @@
 /* deep.c - the sections on deep screen space: the demo's pictures; the effect of surfel size, epsilon, levels and other
-   choices; the time of each stage. Declared in chart.h. */
+   choices. Declared in chart.h. */
 #include "lab/chart/chart.h"
 #include "lab/chart/deep_stage.h"
-#include "lab/measure/halved.h"
-
-/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
-
-#define DSS(label, settings, quick) { label, "dss", settings, quick }
-/* A table of entries for figure 9 of the paper. Both settings have the same reach, radius sqrt(1 / epsilon - 1)
-   2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: drawn at half the width and height, and enlarged. */
-static const sized deep_figure9[] = {
-    { DSS("5 levels", COARSE ",resolution=full,levels=5,epsilon=0.1", 1), 0 },
-    { DSS("full size, 1 level", COARSE ",resolution=full,levels=1,epsilon=0.000433839", 1), 0 },
-    { DSS("half size, 1 level", COARSE ",resolution=full,levels=1,epsilon=0.000433839", 1), 1 },
-    { DSS("half size, 5 levels", COARSE ",resolution=full,levels=5,epsilon=0.1", 0), 1 }
-};
-
-typedef struct growth { const char *label, *settings; int width; } growth;
-static const growth deep_growth[] = {
-    { "surfels", "size=0.06", 320 },
-    { "surfels", COARSE, 320 },
-    { "surfels", "size=0.015", 320 },
-    { "pixels", COARSE, 160 },
-    { "pixels", COARSE, 320 },
-    { "pixels", COARSE, 640 },
-    { "levels", COARSE ",epsilon=0.1,levels=1", 320 },
-    { "levels", COARSE ",epsilon=0.1,levels=2", 320 },
-    { "levels", COARSE ",epsilon=0.1,levels=4", 320 },
-    { "levels", COARSE ",epsilon=0.1,levels=6", 320 }
-};
-
-/* ---- >>own sets -------------------------------------------------------------------------------------------------- */
-
-enum { DEEP_ROUNDS = 2, PAPER_SIDE = 512 };
-
-static int full_sizes(FILE *record, const options *o, row *rows, kit_error *err)
-{
-    static const deep_view see = BUNNY_AO;
-    stage s;
-    if (deep_open(&s, &see, err)
-        || halved_entries(rows, &s, deep_figure9, COUNT(deep_figure9), DEEP_ROUNDS, NULL, err)
-        || section_about(record, &s, "Bunny on a floor.", 0, 0, err))
-        return -1;
-    (void)o;
-    for (int i = 0; i < COUNT(deep_figure9); ++i) {
-        rows[i].of = OF_DEEP;
-        rows[i].scene = see.view.name;
-    }
-    stage_close(&s);
-    return COUNT(deep_figure9);
-}
-
-/* Times the entries on one view, without a truth. Returns how many rows it filled. */
-static int costs(row *rows, const deep_view *v, int width, int height, const entry *entries, int count, int of,
-                 int rounds, kit_error *err)
-{
-    stage s;
-    if (deep_load(&s, v, err) || stage_look(&s, &v->view, width, height, err)
-        || measure_times(rows, &s, entries, count, rounds, err))
-        return -1;
-    for (int i = 0; i < count; ++i) {
-        rows[i].of = of;
-        rows[i].scene = v->view.name;
-        rows[i].figure[PICTURE] = 1e-3 * s.frame.width * s.frame.height;
-    }
-    stage_close(&s);
-    return count;
-}
-
-static int stages(FILE *record, const options *o, row *rows, kit_error *err)
-{
-    static const deep_view lights = WHOLE_LIGHT;
-    (void)record;
-    entry effects[MOST_ENTRIES];
-    return costs(rows, &lights, PAPER_SIDE, PAPER_SIDE, effects, units_chosen(effects, "deep-effects", o), OF_STAGES, 1,
-                 err);
-}
-
-static int grown(FILE *record, const options *o, row *rows, kit_error *err)
-{
-    static const deep_view see = BUNNY_AO;
-    (void)record;
-    (void)o;
-    for (int i = 0; i < COUNT(deep_growth); ++i) {
-        const growth *g = &deep_growth[i];
-        const entry e = { g->label, "dss", g->settings, 1 };
-        if (costs(&rows[i], &see, g->width, g->width * 9 / 16, &e, 1, OF_GROWTH, DEEP_ROUNDS, err) < 0) return -1;
-    }
-    return COUNT(deep_growth);
-}
 
 /* ---- >>sections -------------------------------------------------------------------------------------------------- */
 
@@ -146,22 +59,7 @@ static const set sets[] = {
       SEEN LOBE, .rows = "deep-gloss" },
     { "Deep screen space: scattering",
       "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the radiance that leaves it.",
-      SEEN OF_MARBLE, .rows = "deep-scatter" },
-    { "Deep screen space: full size, half size",
-      "The paper's figure 9: all reach as far; half sizes are brought to full size bilinearly, which is not in their "
-      "times; their splats are of their own pixels.",
-      .own = full_sizes },
-    { "Deep screen space: the camera turns away",
-      "A tall box on a plane leaves the picture while the camera turns to the right; the ground beside it stays, "
-      "and is scored. White light from everywhere.",
-      .quick = 1, .kind = "turn", .own = deep_turns },
-    { "Deep screen space: the camera moves",
-      "Bunny on a floor; camera and target move to the right by about a pixel a frame.", .own = deep_motion },
-    { "Deep screen space: where the time goes",
-      "The paper's test: bunny, floor and four boxes, some 69,000 triangles, 512 x 512 pixels (of a quick chart half "
-      "as wide); surfels by tessellation, captured. Shares of one frame's time.",
-      .quick = 1, .own = stages },
-    { "Deep screen space: how costs grow", "Bunny on a floor; one thing grows at a time.", .own = grown }
+      SEEN OF_MARBLE, .rows = "deep-scatter" }
 };
 
 /* Opens the stage of a set. The demo traces fewer samples than the chart for the truth of scattered light. */

@@ -1,4 +1,4 @@
-/* deep_stage.h - views that the sections on deep screen space share, and rows of a camera that moves. */
+/* deep_stage.h - views of deep screen space. */
 #ifndef LAB_DEEP_STAGE_H
 #define LAB_DEEP_STAGE_H
 
@@ -27,9 +27,5 @@ extern const lit deep_sky, deep_lamp, deep_behind;
 
 int  deep_load(stage *s, const deep_view *v, kit_error *err);
 int  deep_open(stage *s, const deep_view *v, kit_error *err);
-
-/* Fill rows: a camera that turns away from an occluder, and one that moves. Return how many rows; -1 = failed. */
-int  deep_turns(FILE *record, const options *o, row *rows, kit_error *err);
-int  deep_motion(FILE *record, const options *o, row *rows, kit_error *err);
 
 #endif

@@ -171,27 +171,27 @@ function placed(names, points, at, width) {
 }
 
 /* Draws points of rows, joined by label; x is logarithmic. The broad line joins rows that no row beats in x and y. */
-function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, width = 900, height = 520 }) {
+function scatter(Plot, rows, { x, y, across, up, floor = null, width = 900, height = 520 }) {
     const points = rows.filter(r => known(r[x]) && known(r[y]) && !given(r))
         .sort((a, b) => a[x] - b[x]);
     const front = [];
     for (const r of points)
         if (!front.length || r[y] < front.at(-1)[y]) front.push(r);
-    const margin = { left: 56, right: width > 600 ? 110 : 24 }, by = even ? v => v : Math.log;
+    const margin = { left: 56, right: width > 600 ? 110 : 24 };
     const ends = key => [Math.min, Math.max].map(f => f(...points.map(r => r[key])));
-    const [left, right] = ends(x).map(by), [low, high] = ends(y), zero = low < 0.35 * high;
+    const [left, right] = ends(x).map(Math.log), [low, high] = ends(y), zero = low < 0.35 * high;
     const share = (v, from, to) => to > from ? (v - from) / (to - from) : 0.5;
-    const at = r => [margin.left + share(by(r[x]), left, right) * (width - margin.left - margin.right),
+    const at = r => [margin.left + share(Math.log(r[x]), left, right) * (width - margin.left - margin.right),
                      20 + (1 - share(r[y], zero ? 0 : low, high)) * (height - 64)];
     const names = placed([...grouped(points, 'label').values()].map(g => meant(g, x, y)), points, at, width);
     return {
         width, height, marginLeft: margin.left, marginRight: margin.right, marginBottom: 44, grid: true,
-        x: { type: even ? 'linear' : 'log', label: across, tickFormat: even ? undefined : '~g' },
+        x: { type: 'log', label: across, tickFormat: '~g' },
         y: { label: `${up}; lower is better${floor === null ? '' : '; dashed: exact, if all is paper-thin'}`, zero },
         color: { domain: Object.keys(colours), range: Object.values(colours),
                  legend: false },
         marks: [
-            even ? null : Plot.line(front, { x, y, curve: 'step-after', stroke: '#8884', strokeWidth: 7 }),
+            Plot.line(front, { x, y, curve: 'step-after', stroke: '#8884', strokeWidth: 7 }),
             floor === null ? null : Plot.ruleY([floor], { stroke: '#888', strokeDasharray: '6 4' }),
             Plot.line(points, { x, y, z: 'label', stroke: family, strokeOpacity: 0.55 }),
             ...sides.map((side, i) => Plot.text(names.filter(r => r.side === i), { x, y, text: 'label', ...side,
@@ -321,9 +321,6 @@ const views = {
                 up: "error (RMSE), share of the truth's mean radiance" })), table(list)]; }),
     scatter: rows => [plotted(scatter(Plot_, rows, { ...Object.values(clocks)[0], y: 'share',
         up: 'error (RMSE), share of having no AO at all' })), table(rows)],
-    turn: rows => [plotted(scatter(Plot_, rows, { x: 'degrees', y: 'share', even: true,
-        across: 'degrees that the camera has turned away from what occludes',
-        up: 'error (RMSE) on the same ground, share of having no AO at all' })), table(rows)],
     memory: rows => [plotted(scatter(Plot_, rows, { x: 'kilobytes', y: 'rmse', height: 280,
         across: 'kB of the fields', up: 'RMSE of occlusion' })), table(rows)],
     pairs: rows => chosen({ family: all_families(rows), probe: ['all', ...unique(rows.map(r => r.probe))] }, s => {
