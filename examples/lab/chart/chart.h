@@ -20,7 +20,6 @@ int seeds_ahead(const options *o, kit_error *err);
    that judge the plan, and plan_fit_ahead those that fit it, in one process a core. */
 int  plan_ahead(const options *o, kit_error *err);
 int  plan_chart(FILE *record, const options *o, kit_error *err);
-void plan_text(FILE *f);
 int  plan_fit_ahead(const options *o, kit_error *err);
 int  plan_fit(const options *o, kit_error *err);
 

@@ -9,13 +9,7 @@
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-#define ON_FLOOR(rays) \
-    { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL }, NO_SPOTS, \
-      NO_BOXES, 0, rays }
-#define ON_GROUND(shape, rays) \
-    { CLOSE(shape "-on-ground"), { { shape, 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, rays }
-/* A row on a bake's time. triangles: of a lumpy ball; 0: the label's first word names the mesh. threads: 0 = all
-   cores. */
+/* A row on a bake's time. triangles: of a lumpy ball; 0: the bunny. threads: 0 = all cores. */
 typedef struct bake { const char *label, *settings; int triangles, threads, quick; } bake;
 static const bake bakes[] = {
     { "lumpy ball", "", 1000, 0, 1 },
@@ -32,8 +26,6 @@ static const bake bakes[] = {
     { "bunny", "", 0, 1, 0 },
     { "bunny", "", 0, 0, 0 },
 };
-
-enum { FIELD_WIDTH = 240, FIELD_HEIGHT = 135 };
 
 /* ---- >>own sets -------------------------------------------------------------------------------------------------- */
 
@@ -62,13 +54,10 @@ static int bakes_of(FILE *record, const options *o, row *rows, kit_error *err)
 {
     (void)record;
     int count = 0;
-    kit_scene occluders, bunny;
-    const kit_mesh *cube = NULL;
+    kit_scene bunny;
     const char *threads = getenv("KIT_THREADS");
     char *was = threads ? strdup(threads) : NULL;
-    if (kit_scene_load(&occluders, "casters", 0, err) || kit_scene_load(&bunny, BUNNY, 0, err)) return -1;
-    for (int i = 0; i < occluders.objects && !cube; ++i)
-        if (!strcmp(occluders.object[i].name, "cube")) cube = &occluders.shape[occluders.object[i].shape];
+    if (kit_scene_load(&bunny, BUNNY, 0, err)) return -1;
     for (int i = 0; i < COUNT(bakes); ++i) {
         const bake *b = &bakes[i];
         row *r = &rows[count];
@@ -79,64 +68,18 @@ static int bakes_of(FILE *record, const options *o, row *rows, kit_error *err)
         kit_fields_free();                                      /* drops kept fields, so that each bake is timed */
         if (b->threads) setenv("KIT_THREADS", "1", 1);
         if (fields_desc(&d, b->settings, err) || (b->triangles && lumpy_ball(&ball, b->triangles, err))) return -1;
-        if (fields_baked(r, b->triangles ? &ball : *b->label == 'c' ? cube : bunny.shape, &d, err)) return -1;
+        if (fields_baked(r, b->triangles ? &ball : bunny.shape, &d, err)) return -1;
         if (was) setenv("KIT_THREADS", was, 1); else unsetenv("KIT_THREADS");
         r->figure[THREADS] = b->threads ? b->threads : was ? atoi(was) : (double)sysconf(_SC_NPROCESSORS_ONLN);
         free(ball.position);
         ++count;
     }
     free(was);
-    kit_scene_free(&occluders);
     kit_scene_free(&bunny);
     return count;
 }
 
 /* ---- >>sections -------------------------------------------------------------------------------------------------- */
-
-#define SEEN &(const setup)
-#define MOVING(name, time) SEEN { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, \
-    .rows = "fields-demo"
-static const set demos[] = {
-    { "Fields: occluders that move",
-      "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest.",
-      MOVING("occluders-0", 0) },
-    { NULL, "A third of a period later.", MOVING("occluders-1", 1 / 3.0) },
-    { "Fields: how many texels",
-      "The bunny on a box before a wall, its field of 4 x 4 and of 8 x 8 texels a face.",
-      SEEN { { "pedestal", BUNNY, 0, { -1.9f, 0.9f, 4.3f }, { 0, -0.25f, 0 }, 34, 0, NULL },
-             NO_SPOTS,
-             { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f },
-               { -5, -1.6f, -1.3f, 5, 3, -1.2f },
-               { -5, -1.8f, -1.3f, 5, -1.6f, 6 } },
-             0, 256 },
-      .rows = "fields-demo-texels",
-      .crop = { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
-    { "Fields: inside of the hull",
-      "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside "
-      "of the convex hull, where occlusion goes to A_0.",
-      SEEN { { "sunk", "casters", 0, { 0.6f, 2.6f, 3.6f }, { 0, 0, 0.1f }, 34, 0, NULL },
-             { { "torus", 1.4f, { 1, 0.05f, 0.1f } }, { "table", 1.6f, { -0.7f, 0.02f, 0 } } },
-             NO_BOXES, 0, 128 },
-      .rows = "fields-demo-inside" }
-};
-static const set sets[] = {
-    { "Fields: error against memory", "Ball on a ground.", SEEN ON_GROUND("ball", 512), .rows = "fields", .quick = 1,
-      .kind = "memory" },
-    { NULL, "Cube on a ground.", SEEN ON_GROUND("cube", 512), .rows = "fields", .quick = 1, .kind = "memory" },
-    { NULL, "Bunny on a floor.", SEEN ON_FLOOR(512), .rows = "fields", .quick = 1, .kind = "memory" },
-    { NULL, "Two dozen occluders.", SEEN { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 },
-      .rows = "fields", .kind = "memory" },
-    { "Fields: costs of a bake",
-      "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the "
-      "smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of "
-      "both.",
-      .quick = 1, .own = bakes_of }
-};
-
-static int open(stage *s, const section *c, const set *t, kit_error *err)
-{
-    return fields_open(s, t->see, c->width, c->height, err);
-}
 
 static int measure(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
                    kit_error *err)
@@ -158,10 +101,10 @@ static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, k
     return 0;
 }
 
-static found demo_found[COUNT(demos)], chart_found[COUNT(sets)];
-const section fields_demo = { .name = "aof", .sets = WITH_COUNT(demos), .width = 320, .height = 180, .open = open,
-                              .measure = measure, .probe_times = 8, .probe_stride = 13, .range = 0.2, .crop_times = 3,
-                              .seen = dimmed, .found = demo_found };
-const section fields_chart = { .name = "fields", .csv = "chart-aof.csv", .method = "aof", .sets = WITH_COUNT(sets),
-                               .width = FIELD_WIDTH, .height = FIELD_HEIGHT, .open = open, .measure = measure,
-                               .probe_times = 8, .probe_stride = 13, .found = chart_found };
+static found demo_found[MOST_SETS], chart_found[MOST_SETS];
+const section fields_demo = { .name = "aof", .sets = "fields-demo", .width = 320, .height = 180, .measure = measure,
+                              .probe_times = 8, .probe_stride = 13, .range = 0.2, .crop_times = 3, .seen = dimmed,
+                              .found = demo_found };
+const section fields_chart = { .name = "fields", .csv = "chart-aof.csv", .sets = "fields", .width = 240, .height = 135,
+                               .measure = measure, .method = "aof", .own = bakes_of, .probe_times = 8,
+                               .probe_stride = 13, .found = chart_found };

@@ -497,12 +497,15 @@ const terms = [
         + 'normals. Fitted: after the better of a v^b and 1 - a (1 - v)^b for each image, found by the ground truth.']
 ];
 
-/* Each record's command and subject. The page also lists records that are not there, so that readers know of them. */
+/* Each record's name, command and subject, in the order of the page, which also lists records that are not there, so
+   that readers know of them. Parts of the chart have no subject, and are not listed. */
 const commands = [
     ['demo', 'make demo', 'every method beside its truth'],
     ['chart', 'make chart', 'speed against accuracy'],
+    ['ambient'], ['lit'], ['fields'], ['deep'],
     ['light', 'make light', 'light on every pair of a scene and a probe'],
     ['seeds', 'make seeds', 'scenes by seed'],
+    ['seeds-fit'],
     ['plan', 'build/report plan', "the planner's choices"],
     ['stability', 'make stability', 'where methods fail'],
     ['papers', 'make papers', "the papers' tables and figures"],
@@ -512,7 +515,7 @@ const commands = [
     ['bench', 'make bench', 'milliseconds, measured on a GPU']
 ];
 function missing() {
-    const list = commands.filter(([name]) => !records[name]).flatMap(([, command, about], i) =>
+    const list = commands.filter(([name, command]) => command && !records[name]).flatMap(([, command, about], i) =>
         [i ? ', ' : '', el('code', {}, command), ` (${about})`]);
     return list.length && el('p', { className: 'faint' }, 'More pages, once their commands have run: ', ...list, '.');
 }
@@ -589,6 +592,12 @@ function record(of) {
         fold('What the figures mean', () => [defined(terms.slice(is_demo ? 2 : 0))])];
 }
 
+/* Loads the records that are there, then shows them. */
+function load() {
+    for (const [name] of commands) document.head.append(el('script', { src: `${name}.js`, async: false }));
+    addEventListener('load', show);
+}
+
 let Plot_;
 function show() {
     Plot_ = typeof Plot === 'undefined' ? new Proxy({}, { get: () => () => null }) : Plot;
@@ -609,7 +618,7 @@ function show() {
 }
 
 return { records, parse, mean, grouped, named, means, modelled, tables, entry, given, peer, by_pair, by_kind, by_cause,
-         on_gpu, ahead, chains, devices, scatter, ambient, floor_of, clocks, show };
+         on_gpu, ahead, chains, devices, scatter, ambient, floor_of, clocks, load };
 })();
 
 function ssgi_record(record) { ssgi_report.records[record.name] = record; }

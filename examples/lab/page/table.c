@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 #include "kit/kit_gl.h"
+#include "lab/measure/csv.h"
 #include "lab/page/page.h"
 
 /* Returns a row's settings. The floor and no occlusion have none. Only rows that a method drew have bytes. */
@@ -161,13 +162,6 @@ void table_titled(FILE *f, const char *title, const row *rows, int count)
     table_text(f, rows, count);
 }
 
-static void csv_field(FILE *f, const char *s)
-{
-    fputc('"', f);
-    for (; *s; ++s) { if (*s == '"') fputc('"', f); fputc(*s, f); }
-    fputc('"', f);
-}
-
 void table_csv(FILE *f, const row *rows, int count, int head)
 {
     /* all lit rows make one table, all rows of fields another, all rows of deep screen space a third */
@@ -182,21 +176,18 @@ void table_csv(FILE *f, const row *rows, int count, int head)
     }
     for (int i = 0; i < count; ++i) {
         const char *const names[] = { rows[i].scene, rows[i].label, rows[i].method, rows[i].settings };
-        for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, names[k]); }
-        for (int c = -1; (c = next_key(c, of)) >= 0;) {
-            double v = figure_of(&rows[i], c);
-            if (isnan(v)) fputc(',', f); else fprintf(f, ",%.6g", v);
-        }
+        for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_quote(f, names[k]); }
+        for (int c = -1; (c = next_key(c, of)) >= 0;) csv_figure(f, ",%.6g", figure_of(&rows[i], c));
         fprintf(f, ",%zu\n", rows[i].score.pixels);
     }
 }
 
 int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error *err)
 {
-    page csv;
-    if (page_open(&csv, err)) return -1;
-    table_csv(csv.file, rows, count, 1);
-    page_table(f, kind, &csv);
+    page own;
+    if (page_open(&own, err)) return -1;
+    table_csv(own.file, rows, count, 1);
+    page_table(f, kind, &own);
     return 0;
 }
 
