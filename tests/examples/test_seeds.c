@@ -302,7 +302,8 @@ static void subjects_sound(void)
 {
     kit_method m;
     kit_error err = { "" };
-    for (int i = 0; i < SUBJECTS; ++i) {
+    subjects_load();
+    for (int i = 0; i < subjects_count; ++i) {
         const subject *u = &subjects[i];
         const int method = !kit_method_find(&m, u->method, &err) && !kit_method_set(&m, u->settings, &err)
                         && !kit_method_set(&m, u->new_alone, &err);

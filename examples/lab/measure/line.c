@@ -78,3 +78,15 @@ void line_split(const line *l, const char *key, const char **out, int most)
         out[k] = *part ? part : NULL;
     }
 }
+
+int line_word(const line *l, const char *key, const char *words, const char *text, size_t length)
+{
+    int n = 0;
+    for (const char *at = words; *at; ++n, at += strspn(at, " ")) {
+        const size_t own = strcspn(at, " ");
+        if (own == length && !memcmp(at, text, own)) return n;
+        at += own;
+    }
+    line_fault(l, key);
+    return -1;
+}

@@ -21,6 +21,8 @@ const char *line_text(const line *l, const char *key);
 int   line_whole(const line *l, const char *key);
 float line_real(const line *l, const char *key);
 void  line_reals(const line *l, const char *key, const char *text, float *v, int count);
+/* Returns which of words, with blanks between, equals the first length characters of text, a part of a cell. */
+int   line_word(const line *l, const char *key, const char *words, const char *text, size_t length);
 /* Splits a cell at its bars into at most most parts. An empty part is NULL. The rest of out stays as it is. */
 void  line_split(const line *l, const char *key, const char **out, int most);
 

@@ -24,27 +24,20 @@ static void read_view(sheet *t, const line *from)
 
 /* ---- >>sheets ---------------------------------------------------------------------------------------------------- */
 
-/* The index of the name that equals the first length characters of text. */
-static int one_of(const char *const *names, int count, const char *text, size_t length)
-{
-    int k = 0;
-    while (k < count && (strlen(names[k]) != length || strncmp(names[k], text, length))) ++k;
-    return k < count ? k : -1;
-}
-
 /* Reads columns as HEAD=QUANTITY.DIGITS; own-1 is the first column of the sheet's own. */
 static void read_columns(sheet *t, const line *l)
 {
-    static const char *const names[] = { "time", "milliseconds", "overhead", "error", "bias", "bounce", "radiance",
-                                         "noise", "bounce-noise", "model", "hue", "mean", "surfels", "rmse",
-                                         "kilobytes", "seconds", "own-1", "own-2", "own-3", "own-4", "own-5", "own-6" };
     const char *is[MOST_HEADS] = { NULL };
     line_split(l, "columns", is, MOST_HEADS);
     for (int k = 0; k < MOST_HEADS && is[k]; ++k) {
         const char *of = strrchr(is[k], '='), *digits = strrchr(is[k], '.');
-        const int which = of && digits > of ? one_of(names, COUNT(names), of + 1, (size_t)(digits - of - 1)) : -1;
-        if (which < 0) line_fault(l, "columns");
-        t->column[k] = (column){ strndup(is[k], (size_t)(of - is[k])), which, atoi(digits + 1) };
+        if (!of || digits < of) line_fault(l, "columns");
+        t->column[k].head = strndup(is[k], (size_t)(of - is[k]));
+        t->column[k].digits = atoi(digits + 1);
+        t->column[k].of = line_word(l, "columns", "time milliseconds overhead error bias bounce radiance noise "
+                                                  "bounce-noise model hue mean surfels rmse kilobytes seconds own-1 "
+                                                  "own-2 own-3 own-4 own-5 own-6",
+                                    of + 1, (size_t)(digits - of - 1));
     }
 }
 
@@ -105,10 +98,9 @@ static int is_of(const line *l, const sheet *t)
 
 static void read_sheet(sheet *t, const line *l)
 {
-    static const char *const ways[] = { "pictures", "halves", "fields", "times", "passes", "stages", "rates", "crowd" };
     const char *way = line_cell(l, "drawn");
-    const int drawn_as = one_of(ways, COUNT(ways), way, strlen(way));
-    if (drawn_as < 0) line_fault(l, "drawn");
+    const int drawn_as = line_word(l, "drawn", "pictures halves fields times passes stages rates crowd", way,
+                                   strlen(way));
     *t = (sheet){ .paper = line_text(l, "paper"), .name = line_text(l, "figure"), .title = line_text(l, "title"),
                   .theirs = line_text(l, "theirs"), .erratum = line_text(l, "erratum"), .ours = line_text(l, "ours"),
                   .drawn = (drawing)drawn_as, .width = line_whole(l, "width"), .height = line_whole(l, "height"),

@@ -336,42 +336,30 @@ static const struct { const char *name; int (*curves)(result *r, kit_error *err)
 cause sweeps_cause[MOST_CAUSES];
 int sweeps_causes;
 
-/* Returns the index of the word with which a text begins, up to a + or its end. words: separated by blanks. */
-static int word(const line *l, const char *key, const char *words, const char *text)
-{
-    const size_t length = strcspn(text, "+");
-    int n = 0;
-    for (const char *at = words; *at; ++n, at += strspn(at, " ")) {
-        const size_t own = strcspn(at, " ");
-        if (own == length && !memcmp(at, text, own)) return n;
-        at += own;
-    }
-    line_fault(l, key);
-    return -1;
-}
-
 /* Returns the groups of methods in a line's column of. */
 static int groups(const line *l)
 {
     int of = 0;
     for (const char *at = line_cell(l, "of"); *at; at += strcspn(at, "+"), at += *at == '+')
-        of |= 1 << word(l, "of", "screen light surfels field thin turned kept kept-light bounced shadowed counted far",
-                        at);
+        of |= 1 << line_word(l, "of", "screen light surfels field thin turned kept kept-light bounced shadowed counted "
+                                      "far", at, strcspn(at, "+"));
     return of;
 }
 
 static void read_cause(cause *c, const line *l)
 {
-    const char *placed = line_cell(l, "look"), *depth = line_cell(l, "depth"), *at = line_cell(l, "values");
+    const char *placed = line_cell(l, "look"), *kind = line_cell(l, "kind"), *depth = line_cell(l, "depth"),
+               *at = line_cell(l, "values");
     char *end;
     *c = (cause){ .name = line_cell(l, "name"), .title = line_cell(l, "title"), .across = line_cell(l, "across"),
                   .about = line_cell(l, "about"), .holds = line_cell(l, "holds"), .bounds = line_cell(l, "bounds"),
                   .number = line_text(l, "number"), .up = line_text(l, "up"), .of = groups(l),
                   .width = line_whole(l, "width"), .rays = line_whole(l, "rays"), .log = line_whole(l, "log"),
                   .told = line_whole(l, "told") };
-    c->kind = word(l, "kind", "error precision deviation second lit-second follows after newly trail held shades",
-                   line_cell(l, "kind"));
-    c->format = *depth ? 1 + word(l, "depth", "exact half unorm24 float32 reversed32", depth) : 0;
+    c->kind = line_word(l, "kind", "error precision deviation second lit-second follows after newly trail held "
+                                   "shades", kind, strlen(kind));
+    if (*depth)
+        c->format = EXACT + line_word(l, "depth", "exact half unorm24 float32 reversed32", depth, strlen(depth));
     for (size_t i = 0; i < sizeof looks / sizeof *looks; ++i) if (!strcmp(looks[i].name, placed)) c->at = looks[i].at;
     for (size_t i = 0; i < sizeof of_maths / sizeof *of_maths; ++i)
         if (!strcmp(of_maths[i].name, placed)) c->curves = of_maths[i].curves;
