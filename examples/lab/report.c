@@ -5,10 +5,10 @@
    Truth is kept under build/cache, and so are an interrupted chart's results, which the same command continues. Bad
    input, or a write that fails: one line on stderr, status 2.
 
-   report.c puts sections into records. A section is a table of chart/, a paper one of papers/, which sets up some of
-   its stages as chart/ does. Below lies page/: how records, tables and pictures are written, the results of a chart
-   that is not complete, and the page that shows them. Below that lies measure/: scenes and their truth; methods drawn,
-   scored and timed. Nothing calls upward; no section calls another. */
+   report.c puts sections into records. A section of chart/ is a list of sets, and papers/ has a list of sheets. Both are
+   lines of csv, and name their rows and views. Below lies page/: how records, tables and pictures are written, the
+   results of a chart that is not complete, and the page that shows them. Below that lies measure/: lines of csv, views
+   and their truth; methods drawn, scored and timed. Nothing calls upward; no section calls another. */
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,18 +56,23 @@ static int units_of(const section *const *c, int count, const options *o)
     return units;
 }
 
-static int demo(const options *o, kit_error *err)
+/* Makes a record of that name: measures sections, and the plan if planned is 1. */
+static int record_of(const char *name, const char *command, const section *const *c, int count, int planned,
+                     const options *o, kit_error *err)
 {
-    static const section *const first[] = { &ao_demo }, *const others[] = { &lit_demo, &fields_demo, &deep_demo };
     page record;
-    if (o->mesh) ao_demo_of(o->mesh);
-    units_begin(o, units_of(WITH_COUNT(first), o) + (o->mesh ? 0 : units_of(WITH_COUNT(others), o)));
-    return begin(&record, o, "demo", "make demo", err) || sections(record.file, WITH_COUNT(first), o, err)
-                   || strip_demo(record.file, o, err)
-                   || (!o->mesh && sections(record.file, WITH_COUNT(others), o, err))
-                   || end(&record, o, "demo", err)
+    units_begin(o, units_of(c, count, o));
+    return begin(&record, o, name, command, err) || sections(record.file, c, count, o, err)
+                   || (planned && plan_chart(record.file, o, err)) || end(&record, o, name, err)
                ? -1
                : 0;
+}
+
+static int demo(const options *o, kit_error *err)
+{
+    static const section *const all[] = { &ao_demo, &lit_demo, &fields_demo, &deep_demo };
+    if (o->mesh) ao_demo_of(o->mesh);
+    return record_of("demo", "make demo", all, o->mesh ? 1 : COUNT(all), 0, o, err);
 }
 
 /* Fails if the option --method names no known method. */
@@ -91,24 +96,8 @@ static int chart(const options *o, kit_error *err)
 {
     static const section *const all[] = { &ao_chart, &lit_chart, &fields_chart, &deep_chart, &seeds_chart };
     const int count = o->scenes ? 1 : o->method ? COUNT(all) - 1 : COUNT(all), first = !ao_entries(o);
-    page record;
     if (check_asked(o, err)) return -1;
-    units_begin(o, units_of(all + first, count - first, o));
-    if (begin(&record, o, "chart", "make chart%s", err) || sections(record.file, all + first, count - first, o, err))
-        return -1;
-    if (count == COUNT(all) && plan_chart(record.file, o, err)) return -1;
-    if (count == COUNT(all)) plan_text(stdout);
-    return end(&record, o, "chart", err);
-}
-
-/* Makes a record of one section. */
-static int alone(const section *c, const char *name, const char *command, const options *o, kit_error *err)
-{
-    page record;
-    units_begin(o, section_units(c, o));
-    return begin(&record, o, name, command, err) || sections(record.file, &c, 1, o, err) || end(&record, o, name, err)
-               ? -1
-               : 0;
+    return record_of("chart", "make chart%s", all + first, count - first, count == COUNT(all), o, err);
 }
 
 /* Each of these makes the record of one section of the chart. */
@@ -116,7 +105,7 @@ static int one(const section *c, const char *name, const options *o, kit_error *
 {
     char command[96];
     snprintf(command, sizeof command, "build/report %s%%s", name);
-    return check_asked(o, err) ? -1 : alone(c, name, command, o, err);
+    return check_asked(o, err) ? -1 : record_of(name, command, &c, 1, 0, o, err);
 }
 static int ambient_part(const options *o, kit_error *err) { return one(&ao_chart, "ambient", o, err); }
 static int lit_part(const options *o, kit_error *err) { return one(&lit_chart, "lit", o, err); }
@@ -132,14 +121,15 @@ static int chart_ahead(const options *o, kit_error *err)
 /* Makes the chart of light on every pair of a scene and a probe. */
 static int light(const options *o, kit_error *err)
 {
-    if (o->scenes) return kit_fail(err, "--scene: light shows pairs of all scenes and probes (--quick: few)");
-    return check_asked(o, err) ? -1 : alone(&pairs_chart, "light", "make light%s", o, err);
+    const section *const pairs = &pairs_chart;
+    return check_asked(o, err) ? -1 : record_of("light", "make light%s", &pairs, 1, 0, o, err);
 }
 
 static int seeds(const options *o, kit_error *err)
 {
     const int tuned = o->first >= 0 && o->first < SEEDS_JUDGED;
     section own = seeds_chart;
+    const section *const c = &own;
     char command[96];
     const int units = section_units(&own, o);
     if (!units) return kit_fail(err, "--method %s: no row of the charts is of such a method", o->method);
@@ -148,16 +138,13 @@ static int seeds(const options *o, kit_error *err)
     if (o->first >= 0)
         snprintf(command + strlen(command), sizeof command - strlen(command), " --from %d --count %d", o->first,
                  units);
-    return alone(&own, tuned ? "seeds-fit" : "seeds", command, o, err);
+    return record_of(tuned ? "seeds-fit" : "seeds", command, &c, 1, 0, o, err);
 }
 
 /* Makes the chart of the plan, on views that it was not fitted on. */
 static int plan(const options *o, kit_error *err)
 {
-    page record;
-    if (begin(&record, o, "plan", "build/report plan", err) || plan_chart(record.file, o, err)) return -1;
-    plan_text(stdout);
-    return end(&record, o, "plan", err);
+    return record_of("plan", "build/report plan", NULL, 0, 1, o, err);
 }
 
 /* Makes the record of the tables and figures of five papers, beside those of comparable scenes drawn here. */
@@ -186,7 +173,7 @@ static const struct command { const char *name, *about; int takes; step *run, *a
     { "lit", "Its part on light: chart-lit.csv.", QUICK | METHOD, lit_part, NULL },
     { "fields", "Its part on ambient occlusion fields: chart-aof.csv.", QUICK | METHOD, fields_part, NULL },
     { "deep", "Its part on deep screen space: chart-deep.csv.", QUICK | METHOD, deep_part, NULL },
-    { "light", "Light on every pair of a scene and a probe: chart-pairs.csv.", QUICK | SCENES | METHOD, light, NULL },
+    { "light", "Light on every pair of a scene and a probe: chart-pairs.csv.", QUICK | METHOD, light, NULL },
     { "seeds", "Ambient occlusion on scenes by seed and on models: seeds.csv.", QUICK | METHOD | SEEDS | DRAWN, seeds,
       seeds_ahead },
     { "papers", "The papers' tables and figures, in some minutes: papers.csv.", QUICK | PAPER, papers, NULL },
@@ -254,7 +241,8 @@ static int run(const struct command *c, int argc, char **argv, kit_error *err)
     options o;
     if (parse(&o, c, argc, argv, err)) return -1;
     if (o.quick) stage_thrift = QUICK_THRIFT;
-    return units_load(err) || folder_make(o.out, err) || (c->ahead && c->ahead(&o, err))
+    units_load();
+    return folder_make(o.out, err) || (c->ahead && c->ahead(&o, err))
                    || kit_gl_open(o.context, err) || c->run(&o, err)
                ? -1
                : kit_streams_close(err);

@@ -8,23 +8,19 @@
 #include <string.h>
 #include <sys/mman.h>
 #include "lab/measure/ahead.h"
-#include "lab/measure/bands.h"
 #include "lab/measure/folder.h"
+#include "lab/measure/mottled.h"
 #include "lab/measure/score.h"
 #include "lab/measure/spread.h"
 
 enum { MOST_TRIED = 64, MOST_SEEDS = 1000 };
 enum { ERROR, NOISE, OFF = NOISE + BANDS, MEASURED = OFF + BANDS };
 
-typedef struct tried {
-    char method[64], settings[256];
-} tried;
-
 typedef struct trial {
     int from, count, light, bounce, entries, quick;
     double radius; /* times the scene's own */
     const char *out, *other, *scenes, *judge;
-    tried entry[MOST_TRIED];
+    request entry[MOST_TRIED];
     double (*seed)[2 * MOST_TRIED][MEASURED]; /* figures by seed, shared by processes; NAN: not measured */
 } trial;
 
@@ -65,7 +61,7 @@ static int grey_of(kit_image *out, const stage *s, const kit_image *light, kit_e
 }
 
 /* Measures the noise of light by slices; other methods cannot have more of them, and are left out. */
-static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m, const kit_image *picture,
+static int noise_of_light(bands *out, stage *s, const request *e, const shaded *m, const kit_image *picture,
                           kit_error *err)
 {
     char set[320];
@@ -82,19 +78,18 @@ static int noise_of_light(bands *out, stage *s, const tried *e, const shaded *m,
     return failed ? -1 : 0;
 }
 
-/* Draws one setting and measures its figures. pair: two truths of visibility; NULL for light. */
-static int measure_entry(double figure[MEASURED], stage *s, const tried *e, const shaded *m, const kit_image *pair,
-                         double nothing, kit_error *err)
+/* Draws one setting and measures its figures. */
+static int measure_entry(double figure[MEASURED], stage *s, const request *e, const mottled *m, double nothing,
+                         kit_error *err)
 {
     bands noise = bands_unknown, off = bands_unknown;
     kit_image picture;
     kit_run run;
     if (stage_run(&run, s, e->method, e->settings, s->radius, err) || stage_settled(&picture, s, &run, 0, 0, err))
         return -1;
-    int failed = 0;
-    if (m->pixels)
-        failed = pair ? bands_off(&off, m, &picture, pair, err) || bands_noise(&noise, s, &run, m, &picture, err)
-                      : noise_of_light(&noise, s, e, m, &picture, err);
+    const int failed = !s->lit            ? mottled_bands(&noise, &off, m, s, &run, &picture, err)
+                       : m->smooth.pixels ? noise_of_light(&noise, s, e, &m->smooth, &picture, err)
+                                          : 0;
     figure[ERROR] = error_of(s, &picture, err) / nothing;
     for (int k = 0; k < BANDS; ++k) {
         figure[NOISE + k] = noise.rms[k];
@@ -109,26 +104,22 @@ static int measure_seed(const trial *t, int k, kit_error *err)
 {
     char name[128];
     stage s;
-    kit_image whole, pair = { .data = NULL };
-    shaded m = { .on = NULL };
+    mottled m = { .pair = { .data = NULL } };
     const lit of_light = { .rays = SEED_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
     if (name_scene(name, t->scenes, t->from + k, err)) return -1;
     if (stage_load(&s, &v, err)) return -1;
     v.radius = (float)t->radius * s.scene.radius;
     if (stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
-    if (kit_gbuffer_read(&whole, &s.gbuffer, err) || (!t->light && !t->quick && stage_pair(&pair, &s, err)))
-        return -1;
+    if (!t->quick && mottled_open(&m, &s, err)) return -1;
     s.stride = SEED_STRIDE;
     s.rays = SEED_RAYS;
-    if (stage_compare(&s, err) || (!t->quick && shaded_seen(&m, &s, &whole, err))) return -1;
+    if (stage_compare(&s, err)) return -1;
     const double nothing = error_of(&s, &s.given[s.givens - 1].picture, err);
     int failed = 0;
     for (int i = 0; i < t->entries && !failed; ++i)
-        failed = measure_entry(t->seed[k][i], &s, &t->entry[i], &m, t->light ? NULL : &pair, nothing, err);
-    shaded_free(&m);
-    kit_image_free(&whole);
-    kit_image_free(&pair);
+        failed = measure_entry(t->seed[k][i], &s, &t->entry[i], &m, nothing, err);
+    mottled_close(&m);
     stage_close(&s);
     return failed;
 }
@@ -184,7 +175,7 @@ static void print_bands(const trial *t, int i, int from, int first, const char *
 
 static void print_row(const trial *t, int i, int from)
 {
-    const tried *e = &t->entry[i % MOST_TRIED];
+    const request *e = &t->entry[i % MOST_TRIED];
     const spread own = errors_of(t, i, -1, -1), off = errors_of(t, i, from, -1);
     int better = 0;
     for (int k = 0; k < t->count; ++k) better += t->seed[k][i][ERROR] < t->seed[k][from][ERROR];
@@ -262,13 +253,9 @@ static const kit_option options[] = {
 static int add_entry(void *to, const char *text, kit_error *err)
 {
     trial *const t = to;
-    const char *colon = strchr(text, ':');
     kit_method m;
     if (t->entries == MOST_TRIED) return kit_fail(err, "%s: at most %d settings", text, MOST_TRIED);
-    tried *e = &t->entry[t->entries++];
-    snprintf(e->method, sizeof e->method, "%.*s", (int)(colon ? colon - text : (long)strlen(text)), text);
-    snprintf(e->settings, sizeof e->settings, "%s", colon ? colon + 1 : "");
-    return kit_method_find(&m, e->method, err) || kit_method_set(&m, e->settings, err) ? -1 : 0;
+    return request_read(&t->entry[t->entries++], &m, text, err);
 }
 
 static int parse(trial *t, int argc, char **argv, kit_error *err)

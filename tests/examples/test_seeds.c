@@ -6,6 +6,7 @@
 #include "kit/kit_trace.h"
 #include "lab/against/compared.h"
 #include "lab/against/subjects.h"
+#include "lab/chart/sets.h"
 #include "lab/measure/spread.h"
 #include "lab/page/units.h"
 
@@ -295,7 +296,8 @@ static void subjects_sound(void)
 {
     kit_method m;
     kit_error err = { "" };
-    for (int i = 0; i < SUBJECTS; ++i) {
+    subjects_load();
+    for (int i = 0; i < subjects_count; ++i) {
         const subject *u = &subjects[i];
         const int method = !kit_method_find(&m, u->method, &err) && !kit_method_set(&m, u->settings, &err)
                         && !kit_method_set(&m, u->new_alone, &err);
@@ -312,20 +314,27 @@ static void subjects_sound(void)
     }
 }
 
-/* Checks that the chart's rows can be drawn, as one that cannot would be found after an hour. */
+/* Checks that the chart's rows can be drawn, as one that cannot would be found after an hour, and that sets have rows. */
 static void rows_sound(void)
 {
+    static const char *const sections[] = { "ao-demo", "lit-demo", "lit", "fields-demo", "fields", "deep-demo", "deep" };
     const options all = { .quick = 1 };
+    const set *t;
     entry some[MOST_ENTRIES];
     kit_method m;
     kit_error err = { "" };
     const entry *e;
     int k = 0;
-    if (!CHECK(!units_load(&err), "%s", err.text)) return;
+    units_load();
     for (; (e = units_row(k)) != NULL; ++k)
         CHECK(!kit_method_find(&m, e->method, &err) && !kit_method_set(&m, e->settings, &err), "%s: %s", e->label,
               err.text);
     CHECK(k > 200 && units_chosen(some, "ao-demo", &all) == 5 && !strcmp(some[4].method, "hsao-march"), "%d rows", k);
+    for (int i = 0; i < COUNT(sections); ++i) {
+        CHECK(set_of(sections[i], 0) != NULL, "%s: has no sets", sections[i]);
+        for (k = 0; (t = set_of(sections[i], k)) != NULL; ++k)
+            CHECK(!t->see || units_chosen(some, t->rows, &all), "%s: set %d has no rows", sections[i], k + 1);
+    }
 }
 
 static int measured;

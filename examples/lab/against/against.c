@@ -36,9 +36,9 @@ typedef struct found {
 
 static struct {
     const char *render[2]; /* two build/render: the old build's, the new one's */
-    int wanted[SUBJECTS];
+    int wanted[MOST_SUBJECTS];
     place place[SCENES]; /* place[k] is the scene random:k */
-    found found[SUBJECTS][SCENES];
+    found found[MOST_SUBJECTS][SCENES];
     int compared, broken, missing; /* numbers of rows */
 } all;
 
@@ -235,7 +235,7 @@ static int compare(const drawing *d, FILE *csv, kit_error *err)
 {
     const subject *u = &subjects[d->first];
     char what[64];
-    snprintf(what, sizeof what, "%s, row %d of %d", u->name, d->first + 1, SUBJECTS);
+    snprintf(what, sizeof what, "%s, row %d of %d", u->name, d->first + 1, subjects_count);
     kit_parallel(what, SCENES, draw_both, (void *)(uintptr_t)d);
     for (int k = 0; k < SCENES; ++k) {
         const found *f = &all.found[d->first][k];
@@ -263,8 +263,8 @@ static int compare(const drawing *d, FILE *csv, kit_error *err)
 static int want(const char *name, kit_error *err)
 {
     int exactly = 0, some = 0;
-    for (int i = 0; i < SUBJECTS; ++i) exactly |= !strcmp(subjects[i].name, name);
-    for (int i = 0; i < SUBJECTS; ++i) {
+    for (int i = 0; i < subjects_count; ++i) exactly |= !strcmp(subjects[i].name, name);
+    for (int i = 0; i < subjects_count; ++i) {
         if (exactly ? strcmp(subjects[i].name, name) : strncmp(subjects[i].name, name, strlen(name))) continue;
         all.wanted[i] = some = 1;
     }
@@ -289,7 +289,7 @@ static int parse(int argc, char **argv, kit_error *err)
         all.render[k] = argv[1 + k];
         if (access(argv[1 + k], X_OK)) return kit_fail(err, "%s: cannot be run", argv[1 + k]);
     }
-    for (int i = 0; i < SUBJECTS; ++i) all.wanted[i] = argc == 3;
+    for (int i = 0; i < subjects_count; ++i) all.wanted[i] = argc == 3;
     for (int i = 3; i < argc; ++i)
         if (want(argv[i], err)) return -1;
     return 0;
@@ -312,6 +312,7 @@ int main(int argc, char **argv)
     kit_error err = { "" };
     page csv;
     if (kit_help(argc, argv, usage, help)) return 0;
+    subjects_load();
     int failed = parse(argc, argv, &err) || folder_make(LOOK_FOLDER, &err) || folder_make(REPORT, &err)
               || page_open(&csv, &err) || visit_all(&err);
     if (!failed) {
@@ -319,8 +320,8 @@ int main(int argc, char **argv)
         fputs("row,quantity,seed,rmse,bias,share_old,share_new,share_doubt,across_1,across_3,down_1,down_3,patches\n",
               csv.file);
     }
-    for (drawing d = { 0, 0 }; d.first < SUBJECTS && !failed; d.first = d.last) {
-        while (d.last < SUBJECTS && !strcmp(subjects[d.first].name, subjects[d.last].name)) ++d.last;
+    for (drawing d = { 0, 0 }; d.first < subjects_count && !failed; d.first = d.last) {
+        while (d.last < subjects_count && !strcmp(subjects[d.first].name, subjects[d.last].name)) ++d.last;
         failed = all.wanted[d.first] && compare(&d, csv.file, &err);
     }
     if (!failed && !all.compared) failed = kit_fail(&err, "no row was compared");

@@ -100,7 +100,7 @@ static float ortho_height(const kit_camera *camera, const kit_image *shown)
 static int wants(const int *wanted, int by)
 {
     int all = 0;
-    for (int i = 0; i < SUBJECTS; ++i)
+    for (int i = 0; i < subjects_count; ++i)
         if (wanted[i] && subjects[i].view == by) all |= 1 << quantities[subjects[i].quantity].lit;
     return all;
 }

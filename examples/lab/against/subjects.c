@@ -1,5 +1,7 @@
-/* subjects.c - the rows by which two builds are compared: methods, thicknesses, kinds of view. See subjects.h. */
+/* subjects.c - reads the rows by which two builds are compared. Declared in subjects.h. */
 #include "lab/against/subjects.h"
+#include <string.h>
+#include "lab/measure/line.h"
 
 const quantity quantities[QUANTITIES] = {
     { "visibility", { "Y", 0, 0 }, 1, 0 },
@@ -7,32 +9,20 @@ const quantity quantities[QUANTITIES] = {
     { "bounce", { "bounce.R", "bounce.G", "bounce.B" }, 3, 1 }
 };
 
-/* clang-format off */
-const subject subjects[SUBJECTS] = {
-    { "hsao", "hsao", "", VISIBILITY, FRAME, "" },
-    { "hsao-fast", "hsao-fast", "", VISIBILITY, FRAME, "" },
-    { "hsao-best", "hsao-best", "", VISIBILITY, FRAME, "" },
-    { "hsao-constant", "hsao", "thickness=constant", VISIBILITY, FRAME, "" },
-    { "hsao-solid", "hsao", "thickness=solid", VISIBILITY, FRAME, "" },
-    { "hsao-back", "hsao", "thickness=back", VISIBILITY, SLABS, "" },
-    { "hsao-slabs", "hsao", "thickness=slabs", VISIBILITY, SLABS, "" },
-    { "hsao-window", "hsao", "", VISIBILITY, SCENE, "" },
-    { "hsao-orthographic", "hsao", "", VISIBILITY, ORTHOGRAPHIC, "" },
-    { "hsao-left-handed", "hsao", "", VISIBILITY, FRAME, "left_handed=1" },
-    { "hsao-history", "hsao-history", "", VISIBILITY, TURNED, "" },
-    { "march", "hsao-march", "", VISIBILITY, FRAME, "" },
-    { "ssao", "ssao", "", VISIBILITY, FRAME, "" },
-    { "ssdo", "ssdo", "", IRRADIANCE, FRAME, "" },
-    { "ssdo", "ssdo", "", BOUNCE, FRAME, "" },
-    { "ssdo-best", "ssdo-best", "", IRRADIANCE, FRAME, "" },
-    { "ssdo-best", "ssdo-best", "", BOUNCE, FRAME, "" },
-    { "ssdo-harmonics", "ssdo", "environment=sh,bounce=none", IRRADIANCE, FRAME, "" },
-    { "ssdo-reuse", "ssdo", "thickness=slabs,reuse=1", IRRADIANCE, SLABS, "" },
-    { "ssdo-reuse", "ssdo", "thickness=slabs,reuse=1", BOUNCE, SLABS, "" },
-    { "ssdo-points", "ssdo-points", "", IRRADIANCE, FRAME, "" },
-    { "ssdo-points", "ssdo-points", "", BOUNCE, FRAME, "" },
-    { "s3ho", "s3ho", "", IRRADIANCE, FRAME, "" },
-    { "s3ho", "s3ho", "", BOUNCE, FRAME, "" },
-    { "ssbn", "ssbn", "", IRRADIANCE, FRAME, "" }
-};
-/* clang-format on */
+subject subjects[MOST_SUBJECTS];
+int subjects_count;
+
+void subjects_load(void)
+{
+    line l = { "examples/lab/against", .file = "subjects" };
+    for (line_open(&l), subjects_count = 0; l.at < l.of.rows; ++l.at) {
+        const char *of = line_cell(&l, "quantity"), *view = line_cell(&l, "view");
+        if (subjects_count == MOST_SUBJECTS) line_fault(&l, "name");
+        subjects[subjects_count++] = (subject){
+            line_cell(&l, "name"), line_cell(&l, "method"), line_cell(&l, "settings"),
+            line_word(&l, "quantity", "visibility irradiance bounce", of, strlen(of)),
+            line_word(&l, "view", "frame slabs orthographic scene turned", view, strlen(view)),
+            line_cell(&l, "new_alone")
+        };
+    }
+}

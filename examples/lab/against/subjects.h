@@ -14,7 +14,9 @@ enum { FRAME, SLABS, ORTHOGRAPHIC, SCENE, TURNED, VIEWS };
 /* A row of the comparison. new_alone: settings that only the new build gets, and with which it must draw the same
    picture as the old build without them. Rows of one name have one picture and stand together. */
 typedef struct subject { const char *name, *method, *settings; int quantity, view; const char *new_alone; } subject;
-enum { SUBJECTS = 25 };
-extern const subject subjects[SUBJECTS];
+enum { MOST_SUBJECTS = 64 };
+extern subject subjects[MOST_SUBJECTS];
+extern int subjects_count;
+void subjects_load(void);                      /* reads subjects.csv; call it first */
 
 #endif

@@ -3,7 +3,7 @@
 #include "lab/chart/chart.h"
 #include <string.h>
 #include <unistd.h>
-#include "lab/chart/mottled.h"
+#include "lab/measure/mottled.h"
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
@@ -36,22 +36,11 @@ static int measure_planned(FILE *record, row *rows, stage *s, const entry *entri
     return measure_entries(rows, s, all, count, DEMO_ROUNDS, 0, picture, err) ? -1 : count;
 }
 
-static view mesh = { "bunny", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f, NULL };
+void ao_demo_of(const char *path) { *view_named("bunny") = (view){ .name = path, .path = path, .ground = 1 }; }
 
-void ao_demo_of(const char *path) { mesh = (view){ .name = path, .path = path, .ground = 1 }; }
-
-static int open_mesh(stage *s, const section *c, const set *t, kit_error *err)
-{
-    return stage_open(s, t->see, c->width, c->height, err);
-}
-
-static const set demos[] = {
-    { "Ambient occlusion", "Ambient visibility: white is open, black is closed.", &mesh,
-      .rows = "ao-demo" }
-};
-static found demo_found[COUNT(demos)];
-const section ao_demo = { .name = "ao", .sets = WITH_COUNT(demos), .width = 800, .height = 450, .open = open_mesh,
-                          .measure = measure_planned, .range = 0.5, .found = demo_found };
+static found demo_found[MOST_SETS];
+const section ao_demo = { .name = "ao", .sets = "ao-demo", .width = 800, .height = 450, .measure = measure_planned,
+                          .range = 0.5, .found = demo_found };
 
 /* ---- >>peers: other libraries' effects beside the library's rows ------------------------------------------------- */
 
@@ -75,19 +64,25 @@ int ao_entries(const options *o)
     return units_chosen(e, "ao", o);
 }
 
-static int units(const options *o) { return scenes = o->scenes ? o->scenes : stage_views_count; }
+static int units(const options *o)
+{
+    scenes = 0;
+    while (o->scenes ? scenes < o->scenes : view_charted(scenes) != NULL) ++scenes;
+    return scenes;
+}
 
 /* Returns the k-th view of the scenes in --scene, or without this option of all that are there. */
 static view view_at(const options *o, int k)
 {
-    view v = { .name = o->scenes ? o->scene[k] : stage_views[k].name, .path = o->scenes ? o->scene[k] : NULL };
-    for (int i = 0; i < stage_views_count; ++i) if (!strcmp(stage_views[i].name, v.name)) v = stage_views[i];
-    return v;
+    const view *known = o->scenes ? NULL : view_charted(k);
+    for (int i = 0; o->scenes && !known && view_charted(i); ++i)
+        if (!strcmp(view_charted(i)->name, o->scene[k])) known = view_charted(i);
+    return known ? *known : (view){ .name = o->scene[k], .path = o->scene[k] };
 }
 
 static int left_out(const options *o, const view *v)
 {
-    return !o->scenes && stage_packages(v->path) && access(v->path, R_OK);
+    return !o->scenes && v->package && access(v->path, R_OK);
 }
 
 static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
@@ -134,7 +129,7 @@ static void head(FILE *record, const options *o)
         char without[256];
         if (!left_out(o, &v)) continue;
         snprintf(without, sizeof without, "%s: left out, %s is not there; make chart takes it from Debian's %s",
-                 v.name, v.path, stage_packages(v.path));
+                 v.name, v.path, v.package);
         fprintf(stderr, "report: note: %s\n", without);
         page_paragraph(record, "%s.", without);
     }

@@ -15,15 +15,11 @@ extern const section pairs_chart, seeds_chart;
 /* Measures the scenes by seed in one process a core, before there is a GL context, and keeps the results. */
 int seeds_ahead(const options *o, kit_error *err);
 
-/* Writes the demo's part on history: a frame drawn alone, beside the last of sixteen frames of a turning camera. */
-int strip_demo(FILE *record, const options *o, kit_error *err);
-
 /* plan_chart measures the plan on views that it was not fitted on and writes plan.csv, plan-seeds.csv, plan-numbers.csv
    and plan-summary.csv; plan_fit writes plan-fit.csv, which build/fit reads. plan_ahead measures the scenes by seed
    that judge the plan, and plan_fit_ahead those that fit it, in one process a core. */
 int  plan_ahead(const options *o, kit_error *err);
 int  plan_chart(FILE *record, const options *o, kit_error *err);
-void plan_text(FILE *f);
 int  plan_fit_ahead(const options *o, kit_error *err);
 int  plan_fit(const options *o, kit_error *err);
 

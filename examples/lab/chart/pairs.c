@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include <unistd.h>
+#include "lab/measure/csv.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 
@@ -15,20 +16,16 @@
 enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180 };
 /* A table of lights. lit[0]: the probe alone; lit[1]: with boxes by the bunny. Noise is below 1 % of the mean. */
 #define LIT(env, rays, exposure) \
-    { { env, { NULL }, 0, 0, 0, rays, exposure, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, exposure, NO_CROPS } }
+    { { env, { NULL }, 0, 0, 0, rays, exposure }, { env, { NULL }, 4, 0, 0, rays, exposure } }
 static const struct { const char *name; lit lit[2]; int quick; } probes[] = {
     { "sky",      LIT("sky", 256, 0.8f),      0 },
     { "windows",  LIT("windows", 1024, 0.6f), 1 },
     { "street",   LIT("street", 256, 1),      1 },
     { "interior", LIT(INTERIOR, 1024, 0.35f), 0 }
 };
-static const struct { view view; int boxes, quick; } scenes[] = {
-    { { "bunny", BUNNY, 1, { -0.1f, 1.1f, 4.4f }, { 0, -0.25f, 0 }, 32, 0.6f, NULL }, 1, 1 },
-    { { "columns",   "columns",   0, { 0 }, { 0 }, 0, 0, NULL }, 0, 0 },
-    { { "plates",    "plates",    0, { 0 }, { 0 }, 0, 0, NULL }, 0, 0 },
-    { { "room",      "room",      0, { 0 }, { 0 }, 0, 0, NULL }, 0, 1 },
-    { { "colonnade", "colonnade", 0, { 0 }, { 0 }, 0, 0, NULL }, 0, 0 },
-    { { "iron-bed",  BED,         1, { -170, 125, 270 }, { 0, 40, 0 }, 32, 20, NULL }, 0, 0 }
+static const struct { const char *view; int boxes, quick; } scenes[] = {
+    { "bunny-near", 1, 1 }, { "columns", 0, 0 }, { "plates", 0, 0 }, { "room", 0, 1 }, { "colonnade", 0, 0 },
+    { "iron-bed", 0, 0 }
 };
 enum { SCENES = COUNT(scenes), PROBES = COUNT(probes), PAIRS = SCENES * PROBES, BESIDE = 3 };
 static const char scalar_label[] = "true visibility times irradiance", open_label[] = "no occlusion",
@@ -56,7 +53,8 @@ static int there(const options *o, int k)
 {
     const int scene = k / PROBES, probe = k % PROBES;
     if (o->quick && !(scenes[scene].quick && probes[probe].quick)) return 0;
-    if (!strcmp(scenes[scene].view.path, BED) && access(BED, R_OK)) return 0;
+    const view *v = view_named(scenes[scene].view);
+    if (v->package && access(v->path, R_OK)) return 0;
     return strcmp(probes[probe].lit[0].env, INTERIOR) || interior_is_there();
 }
 
@@ -70,7 +68,7 @@ static int units(const options *o)
 
 static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
-    view v = scenes[k / PROBES].view;
+    view v = *view_named(scenes[k / PROBES].view);
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES], visible;
     const int count = units_chosen(entries, "pairs", o);
@@ -105,17 +103,17 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     return count + BESIDE;
 }
 
-static void write_csv(FILE *csv, const options *o)
+static void write_csv(FILE *f, const options *o)
 {
     (void)o;
-    fputs("scene,probe,label,method,settings,relative_time,irradiance,irradiance_bias,share,pixels\n", csv);
+    fputs("scene,probe,label,method,settings,relative_time,irradiance,irradiance_bias,share,pixels\n", f);
     for (int k = 0; k < PAIRS; ++k)
         for (int i = 0; i < found_pairs[k].count; ++i) {
             const row *r = &found_pairs[k].row[i];
-            fprintf(csv, "\"%s\",\"%s\",\"%s\",\"%s\",\"%s\",", scenes[k / PROBES].view.name, probes[k % PROBES].name,
-                    r->label, r->method, r->settings);
-            if (!isnan(r->relative)) fprintf(csv, "%.6g", r->relative);
-            fprintf(csv, ",%.6g,%.6g,%.6g,%zu\n", r->error[1], r->bias[1], r->share, r->score.pixels);
+            fprintf(f, "\"%s\",\"%s\",\"%s\",\"%s\",\"%s\"", view_named(scenes[k / PROBES].view)->name,
+                    probes[k % PROBES].name, r->label, r->method, r->settings);
+            csv_figure(f, ",%.6g", r->relative);
+            fprintf(f, ",%.6g,%.6g,%.6g,%zu\n", r->error[1], r->bias[1], r->share, r->score.pixels);
         }
 }
 

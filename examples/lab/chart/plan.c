@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "lab/chart/planned.h"
+#include "lab/measure/csv.h"
 #include "lab/page/page.h"
 
 /* ---- >>judging --------------------------------------------------------------------------------------------------- */
@@ -69,9 +70,9 @@ static double nothing_of(const planned_row *r)
     return r->error[i];
 }
 
-/* Compares the plan for an error with the cheapest measured choice that meets it. Writes to csv (NULL: none) the plan's
-   choice, its predicted error, its measured error and cost; the cheapest choice, its error and cost. */
-static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int known, int history, int way)
+/* Compares the plan for an error with the cheapest measured choice that meets it. Writes to table (NULL: none) the
+   plan's choice, its predicted error, its measured error and cost; the cheapest choice, its error and cost. */
+static void judge(verdict *v, FILE *table, const planned_row *r, double asked, int known, int history, int way)
 {
     static const char *const names[] = { "visibility", "light", "bounce", "objects" };
     ssgi_plan_scene numbers = known == CAPTURED ? r->captured : r->numbers;
@@ -105,8 +106,8 @@ static void judge(verdict *v, FILE *csv, const planned_row *r, double asked, int
     count(v, GOOD, good);
     count(v, WITHIN, within);
     if (cheapest.method != SSGI_PLAN_METHOD_NOTHING) count(v, GOOD_NEEDED, good);
-    if (csv)
-        fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, names[r->numbers.wanted], asked,
+    if (table)
+        fprintf(table, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, names[r->numbers.wanted], asked,
                 plan_name(text[0], &plan, r->numbers.wanted), (double)plan.error, r->error[taken], cost[taken],
                 plan_name(text[1], &cheapest, r->numbers.wanted), r->error[best], cost[best], good);
 }
@@ -146,13 +147,13 @@ int plan_ahead(const options *o, kit_error *err)
 int plan_fit(const options *o, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
-    page csv;
+    page table;
     int count = 0;
     if (planned_views_measure(rows, &count, 1, o->visibility, err)
-        || planned_seeds_measure(rows, &count, 0, PLANNED_SEEDS, o->visibility, err) || page_open(&csv, err))
+        || planned_seeds_measure(rows, &count, 0, PLANNED_SEEDS, o->visibility, err) || page_open(&table, err))
         return -1;
-    for (int i = 0; i < count; ++i) planned_numbers_csv(csv.file, &rows[i], rows[i].timed ? 1 : 2);
-    return page_close(&csv, o->out, "plan-fit.csv", err);
+    for (int i = 0; i < count; ++i) planned_numbers_csv(table.file, &rows[i], rows[i].timed ? 1 : 2);
+    return page_close(&table, o->out, "plan-fit.csv", err);
 }
 
 /* Two sets of scenes: named ones and those by seed. A set's verdicts, by how the plan is asked and how it knows a
@@ -164,29 +165,34 @@ static const char *const known_names[KNOWN] = { "with a calibration", "without a
                                                 "of a captured frame: survey without slabs, no surfels" };
 static const char *const set_names[SETS] = { "scenes", "by seed" };
 
+/* Writes the verdicts, and prints them. */
 static int plan_summary(FILE *record, const char *out, kit_error *err)
 {
-    page csv;
-    if (page_open(&csv, err)) return -1;
-    fputs("what,good,pairs\n", csv.file);
+    page table;
+    if (page_open(&table, err)) return -1;
+    fputs("what,good,pairs\n", table.file);
     for (int k = 0; k < WAYS * SETS * KNOWN; ++k) {
         const verdict *v = &verdicts[k / KNOWN / SETS][k / KNOWN % SETS][k % KNOWN];
         for (int i = 0; i < VERDICTS && v->of[GOOD]; ++i)
-            fprintf(csv.file, "\"%s%s, %s%s\",%d,%d\n", set_names[k / KNOWN % SETS], way_names[k / KNOWN / SETS],
+            fprintf(table.file, "\"%s%s, %s%s\",%d,%d\n", set_names[k / KNOWN % SETS], way_names[k / KNOWN / SETS],
                     known_names[k % KNOWN], verdict_names[i], v->is[i], v->of[i]);
     }
-    return page_csv(record, "rows", &csv, out, "plan-summary.csv", err);
+    fflush(table.file);
+    const csv all = csv_of(strdup(table.text), "plan-summary.csv");
+    puts("\nplan, on scenes that it was not fitted on");
+    csv_put(stdout, &all, "what,good,pairs", NULL, 1);
+    return page_csv(record, "rows", &table, out, "plan-summary.csv", err);
 }
 
 /* Judges rows first .. count - 1, which are of one set, and counts the verdicts. */
-static void judge_all(int scenes, FILE *csv, const planned_row *rows, int first, int count)
+static void judge_all(int scenes, FILE *table, const planned_row *rows, int first, int count)
 {
-    fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", csv);
+    fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", table);
     for (int i = first; i < count; ++i)
         for (int known = 0; known < KNOWN; ++known)
             for (int k = 0; k < WAYS * 2 * PLANNED_ERRORS; ++k) {
                 const int way = k / PLANNED_ERRORS / 2, history = k / PLANNED_ERRORS % 2;
-                judge(&verdicts[way][scenes][known], known == CALIBRATED && !history && !way ? csv : NULL, &rows[i],
+                judge(&verdicts[way][scenes][known], known == CALIBRATED && !history && !way ? table : NULL, &rows[i],
                       planned_errors[way][rows[i].numbers.wanted][k % PLANNED_ERRORS], known, history, way);
             }
 }
@@ -194,16 +200,16 @@ static void judge_all(int scenes, FILE *csv, const planned_row *rows, int first,
 int plan_chart(FILE *record, const options *o, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
-    page csv, by_seed, numbers;
+    page table, by_seed, numbers;
     int views = 0, count;
     if (planned_views_measure(rows, &views, 0, o->quick || o->visibility, err)) return -1;
     count = views;
     if (planned_seeds_measure(rows, &count, SEEDS_JUDGED, PLANNED_JUDGES, o->quick || o->visibility, err)
-        || page_open(&csv, err) || page_open(&by_seed, err) || page_open(&numbers, err))
+        || page_open(&table, err) || page_open(&by_seed, err) || page_open(&numbers, err))
         return -1;
     memset(verdicts, 0, sizeof verdicts);
     planned_smooth(rows, count);
-    judge_all(SCENES, csv.file, rows, 0, views);
+    judge_all(SCENES, table.file, rows, 0, views);
     judge_all(SEEDS, by_seed.file, rows, views, count);
     for (int i = 0; i < count; ++i) planned_numbers_csv(numbers.file, &rows[i], 0);
     page_heading(record, 2, "What a scene needs");
@@ -212,24 +218,9 @@ int plan_chart(FILE *record, const options *o, kit_error *err)
                    "error and the cost of that, beside the cheapest choice that meets the error. Good: "
                    "at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no choice meets are "
                    "counted apart. Names: scene, radius, light.");
-    return plan_summary(record, o->out, err) || page_csv(record, "plan", &csv, o->out, "plan.csv", err)
+    return plan_summary(record, o->out, err) || page_csv(record, "plan", &table, o->out, "plan.csv", err)
                    || page_csv(record, "plan", &by_seed, o->out, "plan-seeds.csv", err)
                    || page_close(&numbers, o->out, "plan-numbers.csv", err)
                ? -1
                : 0;
-}
-
-void plan_text(FILE *f)
-{
-    fputs("\nplan, on scenes that it was not fitted on: good; where something is needed; within the error; errors that "
-          "cannot be met, and are told; met and too dear, where something is needed\n",
-          f);
-    for (int k = 0; k < WAYS * SETS * KNOWN; ++k) {
-        const verdict *v = &verdicts[k / KNOWN / SETS][k / KNOWN % SETS][k % KNOWN];
-        if (!v->of[GOOD]) continue;
-        fprintf(f, "%-8s %-55s%s\n    ", set_names[k / KNOWN % SETS], known_names[k % KNOWN],
-                way_names[k / KNOWN / SETS]);
-        for (int i = 0; i < VERDICTS; ++i) fprintf(f, " %4d of %-4d", v->is[i], v->of[i]);
-        fputs("\n", f);
-    }
 }

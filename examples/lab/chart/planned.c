@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "lab/chart/sets.h"
 #include "lab/measure/ahead.h"
 #include "lab/measure/folder.h"
 #include "lab/page/units.h"
@@ -75,13 +76,11 @@ static void planned_turn(view *v, const plan_view *p, const kit_scene *scene)
 /* Opens the stage of a view. Returns 1; 0 if the package of the scene is missing. */
 static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
 {
-    view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
-    for (int i = 0; i < stage_views_count; ++i)
-        if (!strcmp(stage_views[i].name, p->scene)) {
-            v = stage_views[i];
-            v.lit = light;
-        }
-    if (stage_packages(v.path) && access(v.path, R_OK)) return 0;
+    view v = { .name = p->scene, .path = p->scene };
+    for (int i = 0; view_charted(i); ++i)
+        if (!strcmp(view_charted(i)->name, p->scene)) v = *view_charted(i);
+    v.lit = light;
+    if (v.package && access(v.path, R_OK)) return 0;
     if (stage_load(s, &v, err) || (suns && planned_suns(s, err))) return -1;
     planned_turn(&v, p, &s->scene);
     return stage_look(s, &v, SEED_WIDTH, SEED_HEIGHT, err) ? -1 : 1;

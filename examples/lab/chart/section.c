@@ -76,7 +76,7 @@ static int figures(FILE *record, const options *o, const section *c, const set *
                    const kit_image *picture, int methods, kit_error *err)
 {
     const int beside = c->beside ? s->givens : 0, count = methods + beside;
-    const int (*crop)[4] = s->lit ? s->lit->crop : t->crop;
+    const int (*crop)[4] = t->see->crop;
     kit_image seen[1 + MOST_ROWS];
     pictured p[1 + MOST_ROWS];
     for (int i = 0; i <= count; ++i) {
@@ -115,18 +115,24 @@ static int kept_of(row *rows, int count, const section *c, const stage *s, const
     return kept;
 }
 
+static int open_set(stage *s, const section *c, const set *t, kit_error *err)
+{
+    if (stage_load(s, t->see, err)) return -1;
+    if (s->lit) s->stride = c->stride;
+    return stage_show(s, t->see, c->width, c->height, err);
+}
+
 static int set_measure(FILE *record, const section *c, const set *t, const options *o, const entry *entries, int count,
                        row *rows, kit_error *err)
 {
     const int rounds = o->quick ? (c->rounds + 1) / 2 : c->rounds;
-    const view *v = t->see;
     kit_image picture[MOST_ENTRIES];
     stage s;
-    if (c->open(&s, c, t, err)) return -1;
+    if (open_set(&s, c, t, err)) return -1;
     if (c->measure) count = c->measure(record, rows, &s, entries, count, picture, err);
     else if (measure_entries(rows, &s, entries, count, rounds, t->phases, picture, err)) return -1;
     if (count < 0 || section_about(record, &s, t->about, c->probe_times, c->probe_stride, err)) return -1;
-    const int kept = kept_of(rows, count + s.givens, c, &s, v->name);
+    const int kept = kept_of(rows, count + s.givens, c, &s, t->see->name);
     if (c->range > 0 ? figures(record, o, c, t, &s, rows, picture, count, err)
                      : pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err))
         return -1;
@@ -139,14 +145,14 @@ static const section *now;                       /* the section whose sets unit_
 
 static int unit_of_set(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
-    const set *t = &now->sets[k];
+    const set *t = set_of(now->sets, k);
     entry entries[MOST_ENTRIES];
-    const int count = t->own ? units_asked(o, now->method) : units_chosen(entries, t->rows, o);
+    const int count = t->see ? units_chosen(entries, t->rows, o) : units_asked(o, now->method);
     if (!count || (o->quick && !t->quick)) return 0;
     if (!rows) return 1;
-    if (!t->own) return set_measure(record, now, t, o, entries, count, rows, err);
+    if (t->see) return set_measure(record, now, t, o, entries, count, rows, err);
     page_paragraph(record, "%s", t->about);
-    return t->own(record, o, rows, err);
+    return now->own(record, o, rows, err);
 }
 
 static measuring *unit_of(const section *c)
@@ -155,7 +161,13 @@ static measuring *unit_of(const section *c)
     return c->unit ? c->unit : unit_of_set;
 }
 
-static int count_of(const section *c, const options *o) { return c->units ? c->units(o) : c->count; }
+static int count_of(const section *c, const options *o)
+{
+    int count = 0;
+    if (c->units) return c->units(o);
+    while (set_of(c->sets, count)) ++count;
+    return count;
+}
 
 int section_units(const section *c, const options *o) { return units_count(unit_of(c), count_of(c, o), o); }
 
@@ -163,8 +175,8 @@ int section_units(const section *c, const options *o) { return units_count(unit_
 
 static const char *title_of(const section *c, int k)
 {
-    while (k && !c->sets[k].title) --k;
-    return c->sets[k].title;
+    while (k && !set_of(c->sets, k)->title) --k;
+    return set_of(c->sets, k)->title;
 }
 
 /* Measures the k-th unit of a section and keeps its rows in c->found[k]. */
@@ -194,7 +206,7 @@ int section_chart(FILE *record, const section *c, const options *o, kit_error *e
         if (c->sets && there && heading != title_of(c, k))
             page_heading(each.file, 2, "%s", heading = title_of(c, k));
         const int rows = find(each.file, c, o, k, err);
-        const char *const kind = c->sets && c->sets[k].kind ? c->sets[k].kind : "rows";
+        const char *const kind = c->sets && set_of(c->sets, k)->kind ? set_of(c->sets, k)->kind : "rows";
         if (rows < 0 || (rows && c->sets && table_page(each.file, kind, c->found[k].row, rows, err))) return -1;
         if (rows && !c->write) table_csv(csv.file, c->found[k].row, rows, !shown++);
     }
@@ -216,8 +228,9 @@ int section_chart(FILE *record, const section *c, const options *o, kit_error *e
 void section_text(FILE *f, const section *c)
 {
     if (c->text) c->text(f);
-    for (int k = 0; k < c->count && !c->text; ++k)
-        table_titled(f, c->sets[k].title ? c->sets[k].title : c->sets[k].about, c->found[k].row, c->found[k].count);
+    const set *t;
+    for (int k = 0; !c->text && (t = set_of(c->sets, k)) != NULL; ++k)
+        table_titled(f, t->title ? t->title : t->about, c->found[k].row, c->found[k].count);
 }
 
 int section_fullest(const section *c, int count)

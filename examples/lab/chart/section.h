@@ -1,37 +1,26 @@
-/* section.h - a chart's sections. A section is a list of sets; a set is a table of rows on one view. section.c measures
-   sets, and writes a part of the page, csv and text for each. The demo also shows pictures at full size. */
+/* section.h - a chart's sections. A section is a list of sets (sets.h). section.c measures sets, and writes a part of
+   the page, csv and text for each. The demo also shows pictures at full size. */
 #ifndef LAB_SECTION_H
 #define LAB_SECTION_H
 
+#include "lab/chart/sets.h"
 #include "lab/measure/measure.h"
 #include "lab/page/units.h"
 
 enum { MOST_SET_ROWS = 128 };
 
-typedef struct set set;
 typedef struct section section;
 /* The rows of a set or a unit. name: of its scene; row NULL: it was not measured. */
 typedef struct found { char name[64]; row *row; int count; } found;
 
-struct set {
-    const char *title, *about;             /* title NULL: the set stands under the heading of the one before it */
-    const void *see;                       /* read by the section's open(): a view, or a struct that begins with one */
-    const char *rows;                      /* the name of a set of lines in UNITS_ROWS */
-    int quick;                             /* 1: chart --quick shows the set, too */
-    const char *kind;                      /* the view of report.js that shows the set; NULL: "rows" */
-    int phases;                            /* phases of noise that split error from noise; 0: no split */
-    /* Measures the set in place of rows: fills the rows and returns how many there are; -1 = failed. NULL: see rows. */
-    int (*own)(FILE *record, const options *o, row *rows, kit_error *err);
-    int crop[MOST_CROPS][4];               /* parts of the demo's pictures, if the view's light has no crops */
-};
-
 struct section {
     const char *name, *csv;                /* names of units and of the csv; csv NULL: the record alone */
-    const char *method;                    /* for a set with own(): the method that --method must allow */
-    const set *sets;
-    int count, width, height, stride, rounds;
+    const char *sets;                      /* the section's name in sets.csv; NULL: it has units of its own */
+    int width, height, stride, rounds;     /* stride: of the truth of light */
     int of[2];                             /* groups of columns of unlit and lit rows; 0: the rows' own */
-    int (*open)(stage *s, const section *c, const set *t, kit_error *err);
+    const char *method;                    /* for own(): the method that --method must allow */
+    /* Measures a set without a view: fills its rows and returns how many there are; -1 = failed. */
+    int (*own)(FILE *record, const options *o, row *rows, kit_error *err);
     /* Fills rows and pictures and returns how many pictures; given rows follow. NULL: measure_entries does it. */
     int (*measure)(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
                    kit_error *err);

@@ -3,8 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lab/chart/mottled.h"
 #include "lab/measure/ahead.h"
+#include "lab/measure/csv.h"
+#include "lab/measure/mottled.h"
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
@@ -278,36 +279,30 @@ static int fit_of_all(const row *const *rows, int count, const row *like)
     return best;
 }
 
-static void figure_csv(FILE *f, double v)
-{
-    if (isnan(v)) fputc(',', f);
-    else fprintf(f, ",%.6g", v);
-}
-
 /* Writes a row's line. fit: the index of the fit over all scenes; -1: none. */
 static void row_csv(FILE *f, const place *p, const row *r, int fit)
 {
     const int is_lit = !(r->of & OF_AO), peer = (r->of & OF_PEER) != 0;
     fprintf(f, "%d,%s,%s,%s,\"%s\",\"%s\",\"%s\"", p->seed, p->set, p->kind, r->scene, r->label, r->method,
             r->settings);
-    figure_csv(f, r->share);
-    figure_csv(f, peer ? r->figure[FITTED] : (double)NAN);
-    figure_csv(f, fit < 0 ? (double)NAN : r->figure[FIT + fit]);
-    figure_csv(f, is_lit ? r->bias[strcmp(r->scene, "bounce") ? 1 : 2] : r->score.bias);
-    for (int k = 0; k < NOISE_BANDS; ++k) figure_csv(f, r->figure[NOISE_BAND + k]);
-    for (int k = 0; k < NOISE_BANDS; ++k) figure_csv(f, r->figure[ERROR_BAND + k]);
+    csv_figure(f, ",%.6g", r->share);
+    csv_figure(f, ",%.6g", peer ? r->figure[FITTED] : (double)NAN);
+    csv_figure(f, ",%.6g", fit < 0 ? (double)NAN : r->figure[FIT + fit]);
+    csv_figure(f, ",%.6g", is_lit ? r->bias[strcmp(r->scene, "bounce") ? 1 : 2] : r->score.bias);
+    for (int k = 0; k < NOISE_BANDS; ++k) csv_figure(f, ",%.6g", r->figure[NOISE_BAND + k]);
+    for (int k = 0; k < NOISE_BANDS; ++k) csv_figure(f, ",%.6g", r->figure[ERROR_BAND + k]);
     fputc('\n', f);
 }
 
 static found found_seeds[MOST_SEEDS];
 
 /* Writes the csv: one setting after the other, each on all scenes. */
-static void write_csv(FILE *csv, const options *o)
+static void write_csv(FILE *f, const options *o)
 {
     const int count = count_of(o), first = section_fullest(&seeds_chart, count);
     fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20,"
           "error_1,error_3,error_8,error_20\n",
-          csv);
+          f);
     for (int i = 0; first >= 0 && i < found_seeds[first].count; ++i) {
         const row *rows[MOST_SEEDS], *like = &found_seeds[first].row[i];
         section_alike(rows, &seeds_chart, count, like);
@@ -315,7 +310,7 @@ static void write_csv(FILE *csv, const options *o)
         for (int k = 0; k < count; ++k) {
             place p;
             place_of(&p, o, k);
-            if (rows[k]) row_csv(csv, &p, rows[k], fit);
+            if (rows[k]) row_csv(f, &p, rows[k], fit);
         }
     }
 }

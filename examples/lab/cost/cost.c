@@ -88,22 +88,6 @@ static int write_shares(kit_error *err)
     return page_open(&p, err) || entered_write(p.file, err) || page_close(&p, ROOM, "shares.csv", err) ? -1 : 0;
 }
 
-static int write_plan(const work *w, kit_error *err)
-{
-    page p;
-    if (folder_make("report", err) || page_open(&p, err)) return -1;
-    plan_write(p.file, w);
-    return page_close(&p, "report", "plan-cost.csv", err);
-}
-
-static int write_papers(const work *w, kit_error *err)
-{
-    page p;
-    if (page_open(&p, err)) return -1;
-    sheets_write(p.file, w);
-    return page_close(&p, "examples/lab/papers", "modelled.csv", err);
-}
-
 static int write_recorded(const csv *now, kit_error *err)
 {
     page p;
@@ -115,10 +99,15 @@ static int write_recorded(const csv *now, kit_error *err)
 static int run(work *w, const asked *a, kit_error *err)
 {
     page table;
-    if (work_do(w, err)) return -1;
-    if (a->plan) return write_plan(w, err);
-    if (a->papers) return write_papers(w, err);
-    if (page_open(&table, err)) return -1;
+    if (work_do(w, err) || folder_make("report", err) || page_open(&table, err)) return -1;
+    if (a->plan) {
+        plan_write(table.file, w);
+        return page_close(&table, "report", "plan-cost.csv", err);
+    }
+    if (a->papers) {
+        sheets_write(table.file, w);
+        return page_close(&table, "examples/lab/papers", "modelled.csv", err);
+    }
     write_costs(table.file, w);
     if (a->peers) xegtao_keep(table.file);
     fflush(table.file);

@@ -1,7 +1,6 @@
 /* sheets.c - chains of the papers' rows, as their runs have them, and their milliseconds. Declared in sheets.h. */
 #include "lab/cost/sheets.h"
 #include "lab/cost/show.h"
-#include "lab/chart/fields_stage.h"
 #include "lab/measure/csv.h"
 #include "lab/papers/sheet.h"
 
@@ -36,13 +35,11 @@ static int add_rows(work *w, const sheet *t, kit_error *err)
     for (int i = 0; i < t->count; ++i) {
         const paper_row *p = &t->rows[i];
         const entry whole = { p->what, p->method, p->settings, 1 };
-        const setup between = { .view = t->see, .rays = t->rays };
+        view seen = t->see;
         const int passes = t->drawn == PASSES;
         if (!sheet_wants_model(t, i)) continue;
-        if (!opened && (t->drawn == FIELDS || t->drawn == CROWD
-                        ? fields_open(&s, &between, LOOK_WIDTH, LOOK_HEIGHT, err)
-                        : stage_load(&s, &t->see, err) || stage_look(&s, &t->see, LOOK_WIDTH, LOOK_HEIGHT, err)))
-            return -1;
+        seen.between = t->drawn == FIELDS || t->drawn == CROWD;
+        if (!opened && (stage_load(&s, &seen, err) || stage_look(&s, &seen, LOOK_WIDTH, LOOK_HEIGHT, err))) return -1;
         opened = 1;
         for (int k = 0; k < (passes ? PARTS : 1); ++k)
             if (add_run(w, &s, t, i, k, passes ? &sheet_parts[k] : &whole, err)) return -1;

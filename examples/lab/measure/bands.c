@@ -90,12 +90,11 @@ int shaded_find(shaded *m, const stage *s, const kit_image *visibility, kit_erro
                          "border", s->name, width, height, BORDER);
 }
 
-int shaded_seen(shaded *m, const stage *s, const kit_image *whole, kit_error *err)
+int shaded_seen(shaded *m, const stage *s, kit_error *err)
 {
     stage all = *s;
     kit_image quiet;
     kit_error none;
-    all.frame = *whole;
     all.lit = NULL;
     *m = (shaded){ .on = NULL };
     if (stage_drawn(&quiet, &all, "hsao-best", "slices=8", s->radius, err)) return -1;

@@ -16,8 +16,8 @@ enum { BORDER = 24 };
 typedef struct shaded { int width, height; size_t pixels; float *on, *weight[BANDS]; } shaded;
 /* Finds the pixels that count. visibility: a picture without noise. Returns -1 also if there are none. */
 int  shaded_find(shaded *m, const stage *s, const kit_image *visibility, kit_error *err);
-/* Finds them by visibility of hsao-best with 8 slices. Returns 0 also if there are none. whole: the frame. */
-int  shaded_seen(shaded *m, const stage *s, const kit_image *whole, kit_error *err);
+/* Finds them by visibility of hsao-best with 8 slices, before stage_compare. Returns 0 also if there are none. */
+int  shaded_seen(shaded *m, const stage *s, kit_error *err);
 void shaded_free(shaded *m);
 
 /* The RMS of each band of a difference a - b of visibility, over these pixels. seen: that of bands 1 and 2 together, in

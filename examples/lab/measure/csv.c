@@ -81,6 +81,12 @@ void csv_quote(FILE *f, const char *text)
     fputc('"', f);
 }
 
+void csv_figure(FILE *f, const char *format, double v)
+{
+    if (isnan(v)) fputc(',', f);
+    else fprintf(f, format, v);
+}
+
 enum { MOST_COLUMNS = 64 };
 
 static int is_empty(const csv *c, int column)

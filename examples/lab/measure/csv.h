@@ -18,8 +18,9 @@ csv         csv_of(char *text, const char *name);
 const char *csv_text(const csv *c, int row, const char *key);           /* "": there is no such cell */
 double      csv_number(const csv *c, int row, const char *key);         /* NAN: there is no such number */
 
-/* Writes a text as a cell of a csv, in quotes. */
+/* Writes a text as a cell of a csv, in quotes. csv_figure: a number behind a comma (",%.6g"); NAN: the comma alone. */
 void        csv_quote(FILE *f, const char *text);
+void        csv_figure(FILE *f, const char *format, double v);
 /* Writes the columns of keys, which are separated by commas, of the rows whose cell in the column empty has no text
    (NULL: of all rows). aligned: padded for reading; else as csv. */
 void        csv_put(FILE *f, const csv *c, const char *keys, const char *empty, int aligned);

@@ -1,6 +1,15 @@
 /* picture.c - draws a method's picture, and looks up its value at a point of the scene. Declared in picture.h. */
 #include "lab/measure/picture.h"
 #include <math.h>
+#include <string.h>
+
+int request_read(request *a, kit_method *m, const char *text, kit_error *err)
+{
+    const char *const colon = strchr(text, ':');
+    snprintf(a->method, sizeof a->method, "%.*s", (int)(colon ? colon - text : (long)strlen(text)), text);
+    snprintf(a->settings, sizeof a->settings, "%s", colon ? colon + 1 : "");
+    return kit_method_find(m, a->method, err) || kit_method_set(m, a->settings, err) ? -1 : 0;
+}
 
 int picture_run(kit_run *run, kit_gbuffer *g, const kit_world *world, const char *method, const char *set, float radius,
                 kit_error *err)

@@ -4,6 +4,11 @@
 
 #include "kit/kit_gl.h"
 
+/* A method and its settings, as a command line names them: METHOD or METHOD:KEY=VALUE,.. request_read splits such a
+   text and makes the method. */
+typedef struct request { char method[64], settings[256]; } request;
+int request_read(request *a, kit_method *m, const char *text, kit_error *err);
+
 /* Opens a run: a method with settings, which draws a G-buffer's frame. */
 int picture_run(kit_run *run, kit_gbuffer *g, const kit_world *world, const char *method, const char *set, float radius,
                 kit_error *err);

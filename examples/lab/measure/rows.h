@@ -13,20 +13,14 @@ enum {
     OF_LIT = 2,
     OF_SPLIT = 4,
     OF_FIELD = 8,
-    OF_COST = 16,
-    OF_BAKE = 32,
-    OF_PAIR = 64,
-    OF_FIELDS = OF_FIELD | OF_COST | OF_BAKE | OF_PAIR,
-    OF_DEEP = 128,
-    OF_DEEP_LIT = 256,
-    OF_GROWTH = 512,
-    OF_STAGES = 1024,
-    OF_TURN = 2048,
-    OF_MOTION = 4096,
-    OF_PHASES = 8192,
-    OF_PEER = 16384,
+    OF_BAKE = 16,
+    OF_FIELDS = OF_FIELD | OF_BAKE,
+    OF_DEEP = 32,
+    OF_DEEP_LIT = 64,
+    OF_PHASES = 128,
+    OF_PEER = 256,
     OF_PLACES = OF_AO | OF_LIT,
-    OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION
+    OF_DEEPS = OF_DEEP | OF_DEEP_LIT
 };
 
 /* Indices of split: with several phases of the noise: the error in all, the model's part of it, and the noise; the
@@ -36,10 +30,9 @@ enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT
 /* Sizes of tables: noise bands (lab/measure/bands.h); gains and exponents of a peer's fits (lab/measure/peers.h). */
 enum { NOISE_BANDS = 4, FIT_GAINS = 9, FIT_EXPONENTS = 9, FITS = 2 * FIT_GAINS * FIT_EXPONENTS };
 
-/* Indices of figure. Fields: the bake; a picture's error; the occluders' reach as a share of the picture, each counted;
-   the combined occlusion of two occluders. Deep screen space: surfels and splats; each stage's share of the time; the
-   camera's turn; the deviation at a place while the camera moves. Errors of AO and of irradiance on edges, at the
-   border and inside. The mean of a picture where it shows surfaces. */
+/* Indices of figure. Fields: the bake; a picture's error. Deep screen space: surfels and splats; each stage's share of
+   the time. Errors of AO and of irradiance on edges, at the border and inside. The mean of a picture where it shows
+   surfaces. */
 enum {
     TRIANGLES,
     RESOLUTION,
@@ -54,21 +47,11 @@ enum {
     BAKED_MOST,
     MEDIAN,
     MOST,
-    COVERED,
-    BY_PRODUCT,
-    BY_MOST,
-    BY_SUM,
-    BETWEEN,
     SURFELS,
     SPLATS,
-    PICTURE,
     STAGE,
     STAGES = 7,
-    DEGREES = STAGE + STAGES,
-    FLICKER,
-    FLICKER_TRUE,
-    FLICKER_ADDED,
-    FITTED,
+    FITTED = STAGE + STAGES,
     PLACE_ERROR,
     PLACE_AREA = PLACE_ERROR + KIT_PLACES,
     PLACE_RMSE = PLACE_AREA + KIT_PLACES,

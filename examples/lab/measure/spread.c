@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include "kit/kit.h"
 
-spread spread_in(const double *value, const int *group, int one, int count)
+spread spread_of(const double *value, int count)
 {
     double known[MOST_SPREAD], squares = 0;
     spread s = { 0, 0, -1, 0, (double)NAN, (double)NAN, (double)NAN };
     for (int i = 0; i < count; ++i) {
-        if (isnan(value[i]) || (group && group[i] != one) || s.count == MOST_SPREAD) continue;
+        if (isnan(value[i]) || s.count == MOST_SPREAD) continue;
         known[s.count++] = value[i];
         s.mean += value[i];
         s.above += value[i] > 1;
@@ -21,5 +21,3 @@ spread spread_in(const double *value, const int *group, int one, int count)
     if (s.count) s.median = kit_median(known, s.count);
     return s;
 }
-
-spread spread_of(const double *value, int count) { return spread_in(value, NULL, 0, count); }

@@ -9,7 +9,5 @@ typedef struct spread { int count, above, worst; double mean, half, median, most
 
 /* Returns the statistics of count values, at most MOST_SPREAD; NAN: a value is not known. */
 spread spread_of(const double *value, int count);
-/* Returns the statistics of those values whose group is the number one. worst is an index into all values. */
-spread spread_in(const double *value, const int *group, int one, int count);
 
 #endif

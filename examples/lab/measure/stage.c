@@ -2,6 +2,7 @@
    Declared in stage.h. */
 #include "lab/measure/stage.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include "lab/measure/folder.h"
@@ -12,36 +13,12 @@ int stage_thrift = 1;
 
 /* ---- >>views ----------------------------------------------------------------------------------------------------- */
 
-/* The views of the chart of ambient occlusion. Settings were tuned without attic and maple. */
-const view stage_views[] = {
-    { "bunny",     BUNNY,       1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f, NULL },
-    { "room",      "room",      0, { 0 }, { 0 }, 0, 0, NULL },
-    { "grass",     "grass",     0, { 0 }, { 0 }, 0, 0, NULL },
-    { "colonnade", "colonnade", 0, { 0 }, { 0 }, 0, 0, NULL },
-    { "plates",    "plates",    0, { 0 }, { 0 }, 0, 0, NULL },
-    { "pebbles",   "pebbles",   0, { 0 }, { 0 }, 0, 0, NULL },
-    { "iron-bed",  BED,         1, { -170, 125, 270 }, { 0, 40, 0 }, 32, 20, NULL },
-    { "slats",     "slats",     0, { 0 }, { 0 }, 0, 0, NULL },
-    { "stairs",    HOUSE,       0, { 10.9f, 1.65f, -0.9f }, { 7.4f, 1.5f, -3.4f }, 60, 0.5f, NULL },
-    { "attic",     HOUSE,       0, { 11.3f, 4.9f, -4.9f }, { 7.2f, 2.9f, -2.6f }, 60, 0.6f, NULL },
-    { "maple",     MAPLE,       1, { 150, 1350, 500 }, { -60, 840, -40 }, 25, 60, NULL }
-};
-const int stage_views_count = COUNT(stage_views);
-
 int stage_model(char path[128], int i)
 {
     int models = 0;
     while (kit_scene_model(models)) ++models;
     if (models) snprintf(path, 128, "model:%s:%d", kit_scene_model((int)(i * 263LL % models)), i);
     return models > 0;
-}
-
-const char *stage_packages(const char *path)
-{
-    static const char *const of[][2] = { { BED, "sweethome3d-furniture" }, { MAPLE, "sweethome3d-furniture" },
-        { HOUSE, "assimp-testmodels, by assimp-utils" } };
-    for (int i = 0; i < COUNT(of) && path; ++i) if (!strcmp(path, of[i][0])) return of[i][1];
-    return NULL;
 }
 
 /* Four coloured boxes around the bunny, just above the floor: six bounds, then the albedo. */
@@ -273,6 +250,37 @@ static int light_up(stage *s, kit_error *err)
     return 0;
 }
 
+static void place(float to_world[16], float size, const float at[3])
+{
+    memset(to_world, 0, 16 * sizeof *to_world);
+    for (int k = 0; k < 3; ++k) to_world[5 * k] = size;
+    memcpy(to_world + 12, at, 3 * sizeof *at);
+    to_world[15] = 1;
+}
+
+/* Adds a view's solids. Of occlusion between objects these cast nothing; objects move, and go to their spots. */
+static int furnish(stage *s, const view *v, kit_error *err)
+{
+    static const float hidden[3] = { 0, -0.1f, 0 };
+    const int own = s->scene.objects;
+    int spots = 0;
+    if (v->between) kit_scene_move(&s->scene, v->time);
+    for (const float (*b)[9] = v->solid; b < v->solid + MOST_SOLIDS && (*b)[4] > (*b)[1]; ++b)
+        if (kit_scene_add_box(&s->scene, *b, *b + 3, *b + 6, err)) return -1;
+    for (int i = 0; i < s->scene.objects && v->between; ++i) {
+        kit_object *o = &s->scene.object[i];
+        const spot *at = spots < MOST_SPOTS ? &v->spot[spots] : NULL;
+        float to_world[16];
+        if (i >= own) o->casts = 0;
+        if (!o->casts || !*v->spot->name) continue;
+        o->casts = at && !strcmp(at->name, o->name);
+        spots += o->casts;
+        place(to_world, o->casts ? at->size : 1e-3f, o->casts ? at->at : hidden);
+        if (kit_scene_place(&s->scene, i, to_world, err)) return -1;
+    }
+    return 0;
+}
+
 int stage_load(stage *s, const view *v, kit_error *err)
 {
     const char *base = strrchr(v->name, '/');
@@ -285,13 +293,15 @@ int stage_load(stage *s, const view *v, kit_error *err)
     if (kit_scene_load(&s->scene, v->path, v->ground, err)) return -1;
     if (*s->scene.note) fprintf(stderr, "report: note: %s: %s\n", v->path, s->scene.note);
     s->lit = v->lit;
-    s->rays = s->lit ? s->lit->rays : RAYS;
+    s->otherwise = v->otherwise;
+    s->between = v->between;
+    s->rays = v->rays ? v->rays : s->lit ? s->lit->rays : RAYS;
     if (s->lit) {
         for (int i = 0; i < s->lit->boxes; ++i)
             if (kit_scene_add_box(&s->scene, boxes[i], boxes[i] + 3, boxes[i] + 6, err)) return -1;
         if (light_up(s, err)) return -1;
     }
-    return 0;
+    return furnish(s, v, err);
 }
 
 int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
@@ -312,6 +322,25 @@ int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
         || kit_image_places(&s->places, &s->frame, &s->gbuffer.camera, s->radius, err) ? -1 : 0;
 }
 
+/* Of a single occluder, leaves out of the score the pixels that show it, as its field does not shade itself. */
+static int leave_out(stage *s, kit_error *err)
+{
+    const int width = s->gbuffer.width, height = s->gbuffer.height;
+    float *z = kit_image_channel(&s->frame, "Z");
+    int occluders = 0, object = 0;
+    for (int i = 0; i < s->scene.objects; ++i)
+        if (s->scene.object[i].casts && ++occluders) object = i;
+    if (occluders != 1) return 0;
+    uint32_t *shown = malloc((size_t)width * (size_t)height * sizeof *shown);
+    if (!shown) return kit_fail(err, "out of memory");
+    if (kit_texture_read(s->gbuffer.object, width, height, 1, (float *)(void *)shown))
+        return kit_fail(err, "object numbers cannot be read");
+    for (int i = 0; i < width * height; ++i)
+        if (shown[(height - 1 - i / width) * width + i % width] == (uint32_t)object + 1) z[i] = 0;
+    free(shown);
+    return 0;
+}
+
 int stage_compare(stage *s, kit_error *err)
 {
     const size_t pixels = (size_t)s->frame.width * (size_t)s->frame.height;
@@ -321,6 +350,7 @@ int stage_compare(stage *s, kit_error *err)
         kit_image_channel(&s->frame, "Z")[i] = 0;
         for (size_t k = 0; k < KIT_PLACES; ++k) s->places.data[k * pixels + i] = 0;
     }
+    if (s->between && leave_out(s, err)) return -1;
     return s->lit ? stage_light(s, err) : stage_ao(s, err);
 }
 

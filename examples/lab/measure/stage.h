@@ -8,8 +8,6 @@
 
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
 #define BED     "build/models/iron-bed.obj"    /* make chart gets it by examples/kit/models.sh */
-#define MAPLE   "build/models/maple.obj"
-#define HOUSE   "build/models/fzk-house.obj"
 
 /* RAYS: of the truth of ambient visibility, at each pixel. The floor is traced at every FLOOR_STRIDE-th pixel both
    ways, or at every third pixel of a truth that has a stride. */
@@ -32,36 +30,40 @@ enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 /* The light of a view (in words of build/render's options), its exposure, and its truth. local: suns are blocked within
    the radius, as the environment is, not by all of the scene; in the truth they are discs of SUN degrees in diameter.
    env NULL: the scene's own, for scenes by seed. */
-enum { MOST_SUNS = 2, MOST_CROPS = 2, SUN = 3 };
+enum { MOST_SUNS = 2, SUN = 3 };
 typedef struct lit {
     const char *env, *light[MOST_SUNS];
     int   boxes, bounce, local, rays;
     float exposure;
-    int   crop[MOST_CROPS][4];                 /* x, y, width, height */
 } lit;
-
-/* A view of a scene. Members that are 0 are the scene's own. lit NULL: ambient visibility. */
-typedef struct view {
-    const char *name, *path;
-    int ground;
-    float eye[3], target[3], fovy, radius;
-    const lit *lit;
-} view;
-#define NO_CROPS { { 0 } }
-extern const view stage_views[];               /* views of the chart of ambient occlusion; the demo has the first */
-extern const int stage_views_count;
-/* Makes the path of model number i of those that packages bring, for seed i; models that are neighbours in the
-   packages' list have distant numbers. Returns 0 if the package is missing. */
-int stage_model(char path[128], int i);
-/* Returns the packages from which make chart takes a mesh; NULL: it is from none. */
-const char *stage_packages(const char *path);
-
-typedef struct given { const char *label, *method; kit_image picture; } given;   /* a picture scored as a row */
 
 /* Effects with a truth of their own. hard: an occluder or sender within the radius counts whole. GLOSS: the exponent of
    the lobe. SCATTER: material and its unit; rays are thousands of samples. */
 enum { GLOSS = 1, SCATTER };
 typedef struct otherwise { int hard, kind; float exponent, unit; const char *material; } otherwise;
+
+/* The place of an object of a scene, by its name. */
+typedef struct spot { char name[16]; float size, at[3]; } spot;
+
+/* A view of a scene. Members that are 0 are the scene's own. lit NULL: ambient visibility. rays: of the truth; crop:
+   parts of its pictures (x, y, width, height); solid: boxes that are added, six bounds and a colour each; package: the
+   one that has the mesh. between 1: occlusion is between objects, and solids do not cast; if any has a spot, those
+   without one are hidden in the ground; time: milliseconds that objects have moved. */
+enum { MOST_CROPS = 2, MOST_SOLIDS = 4, MOST_SPOTS = 2 };
+typedef struct view {
+    const char *name, *path, *package;
+    int ground, rays, between, crop[MOST_CROPS][4];
+    float eye[3], target[3], fovy, radius, solid[MOST_SOLIDS][9];
+    const lit *lit;
+    otherwise otherwise;
+    double time;
+    spot spot[MOST_SPOTS];
+} view;
+/* Makes the path of model number i of those that packages bring, for seed i; models that are neighbours in the
+   packages' list have distant numbers. Returns 0 if the package is missing. */
+int stage_model(char path[128], int i);
+
+typedef struct given { const char *label, *method; kit_image picture; } given;   /* a picture scored as a row */
 
 typedef struct stage {
     char         name[64];

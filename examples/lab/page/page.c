@@ -154,13 +154,3 @@ int page_csv(FILE *f, const char *kind, page *csv, const char *folder, const cha
     put_table(f, kind, csv);
     return page_close(csv, folder, name, err);
 }
-
-char *page_field(char **at)
-{
-    const int quoted = **at == '"';
-    char *const text = *at + quoted;
-    *at = text + strcspn(text, quoted ? "\"" : ",\n");
-    if (**at) *(*at)++ = 0;
-    if (quoted && **at) ++*at;
-    return text;
-}

@@ -28,7 +28,5 @@ void page_key(FILE *f, double range);           /* adds a ramp of the colours of
 void page_table(FILE *f, const char *kind, page *csv);
 /* Does as page_table does, and also writes the csv to folder/name. */
 int page_csv(FILE *f, const char *kind, page *csv, const char *folder, const char *name, kit_error *err);
-/* Returns the next field of a csv's line, without its quotes. Ends it with a 0 and moves *at behind it. */
-char *page_field(char **at);
 
 #endif

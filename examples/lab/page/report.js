@@ -171,27 +171,27 @@ function placed(names, points, at, width) {
 }
 
 /* Draws points of rows, joined by label; x is logarithmic. The broad line joins rows that no row beats in x and y. */
-function scatter(Plot, rows, { x, y, across, up, even = false, floor = null, width = 900, height = 520 }) {
+function scatter(Plot, rows, { x, y, across, up, floor = null, width = 900, height = 520 }) {
     const points = rows.filter(r => known(r[x]) && known(r[y]) && !given(r))
         .sort((a, b) => a[x] - b[x]);
     const front = [];
     for (const r of points)
         if (!front.length || r[y] < front.at(-1)[y]) front.push(r);
-    const margin = { left: 56, right: width > 600 ? 110 : 24 }, by = even ? v => v : Math.log;
+    const margin = { left: 56, right: width > 600 ? 110 : 24 };
     const ends = key => [Math.min, Math.max].map(f => f(...points.map(r => r[key])));
-    const [left, right] = ends(x).map(by), [low, high] = ends(y), zero = low < 0.35 * high;
+    const [left, right] = ends(x).map(Math.log), [low, high] = ends(y), zero = low < 0.35 * high;
     const share = (v, from, to) => to > from ? (v - from) / (to - from) : 0.5;
-    const at = r => [margin.left + share(by(r[x]), left, right) * (width - margin.left - margin.right),
+    const at = r => [margin.left + share(Math.log(r[x]), left, right) * (width - margin.left - margin.right),
                      20 + (1 - share(r[y], zero ? 0 : low, high)) * (height - 64)];
     const names = placed([...grouped(points, 'label').values()].map(g => meant(g, x, y)), points, at, width);
     return {
         width, height, marginLeft: margin.left, marginRight: margin.right, marginBottom: 44, grid: true,
-        x: { type: even ? 'linear' : 'log', label: across, tickFormat: even ? undefined : '~g' },
+        x: { type: 'log', label: across, tickFormat: '~g' },
         y: { label: `${up}; lower is better${floor === null ? '' : '; dashed: exact, if all is paper-thin'}`, zero },
         color: { domain: Object.keys(colours), range: Object.values(colours),
                  legend: false },
         marks: [
-            even ? null : Plot.line(front, { x, y, curve: 'step-after', stroke: '#8884', strokeWidth: 7 }),
+            Plot.line(front, { x, y, curve: 'step-after', stroke: '#8884', strokeWidth: 7 }),
             floor === null ? null : Plot.ruleY([floor], { stroke: '#888', strokeDasharray: '6 4' }),
             Plot.line(points, { x, y, z: 'label', stroke: family, strokeOpacity: 0.55 }),
             ...sides.map((side, i) => Plot.text(names.filter(r => r.side === i), { x, y, text: 'label', ...side,
@@ -321,9 +321,6 @@ const views = {
                 up: "error (RMSE), share of the truth's mean radiance" })), table(list)]; }),
     scatter: rows => [plotted(scatter(Plot_, rows, { ...Object.values(clocks)[0], y: 'share',
         up: 'error (RMSE), share of having no AO at all' })), table(rows)],
-    turn: rows => [plotted(scatter(Plot_, rows, { x: 'degrees', y: 'share', even: true,
-        across: 'degrees that the camera has turned away from what occludes',
-        up: 'error (RMSE) on the same ground, share of having no AO at all' })), table(rows)],
     memory: rows => [plotted(scatter(Plot_, rows, { x: 'kilobytes', y: 'rmse', height: 280,
         across: 'kB of the fields', up: 'RMSE of occlusion' })), table(rows)],
     pairs: rows => chosen({ family: all_families(rows), probe: ['all', ...unique(rows.map(r => r.probe))] }, s => {
@@ -500,12 +497,15 @@ const terms = [
         + 'normals. Fitted: after the better of a v^b and 1 - a (1 - v)^b for each image, found by the ground truth.']
 ];
 
-/* Each record's command and subject. The page also lists records that are not there, so that readers know of them. */
+/* Each record's name, command and subject, in the order of the page, which also lists records that are not there, so
+   that readers know of them. Parts of the chart have no subject, and are not listed. */
 const commands = [
     ['demo', 'make demo', 'every method beside its truth'],
     ['chart', 'make chart', 'speed against accuracy'],
+    ['ambient'], ['lit'], ['fields'], ['deep'],
     ['light', 'make light', 'light on every pair of a scene and a probe'],
     ['seeds', 'make seeds', 'scenes by seed'],
+    ['seeds-fit'],
     ['plan', 'build/report plan', "the planner's choices"],
     ['stability', 'make stability', 'where methods fail'],
     ['papers', 'make papers', "the papers' tables and figures"],
@@ -515,7 +515,7 @@ const commands = [
     ['bench', 'make bench', 'milliseconds, measured on a GPU']
 ];
 function missing() {
-    const list = commands.filter(([name]) => !records[name]).flatMap(([, command, about], i) =>
+    const list = commands.filter(([name, command]) => command && !records[name]).flatMap(([, command, about], i) =>
         [i ? ', ' : '', el('code', {}, command), ` (${about})`]);
     return list.length && el('p', { className: 'faint' }, 'More pages, once their commands have run: ', ...list, '.');
 }
@@ -592,6 +592,12 @@ function record(of) {
         fold('What the figures mean', () => [defined(terms.slice(is_demo ? 2 : 0))])];
 }
 
+/* Loads the records that are there, then shows them. */
+function load() {
+    for (const [name] of commands) document.head.append(el('script', { src: `${name}.js`, async: false }));
+    addEventListener('load', show);
+}
+
 let Plot_;
 function show() {
     Plot_ = typeof Plot === 'undefined' ? new Proxy({}, { get: () => () => null }) : Plot;
@@ -612,7 +618,7 @@ function show() {
 }
 
 return { records, parse, mean, grouped, named, means, modelled, tables, entry, given, peer, by_pair, by_kind, by_cause,
-         on_gpu, ahead, chains, devices, scatter, ambient, floor_of, clocks, show };
+         on_gpu, ahead, chains, devices, scatter, ambient, floor_of, clocks, load };
 })();
 
 function ssgi_record(record) { ssgi_report.records[record.name] = record; }

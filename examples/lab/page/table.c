@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 #include "kit/kit_gl.h"
+#include "lab/measure/csv.h"
 #include "lab/page/page.h"
 
 /* Returns a row's settings. The floor and no occlusion have none. Only rows that a method drew have bytes. */
@@ -36,27 +37,23 @@ static const column columns[] = {
       "several fields the worst", AT(figure[BAKED_MEDIAN]), 4, 0 },
     { OF_FIELD | OF_BAKE, "b. p95", "baked_p95", "the same: 95 % of them", AT(figure[BAKED_P95]), 4, 0 },
     { OF_FIELD | OF_BAKE, "b. most", "baked_most", "the same: all of them", AT(figure[BAKED_MOST]), 4, 0 },
-    { OF_COST, "covered", "covered",
-      "pixels within an occluder's reach over all pixels, summed over the occluders", AT(figure[COVERED]), 3, 0 },
-    { OF_GROWTH | OF_STAGES, "pixels", "pixels_thousands", "of the picture, thousands", AT(figure[PICTURE]), 1, 0 },
-    { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "surfels", "surfels",
+    { OF_DEEP | OF_DEEP_LIT, "surfels", "surfels",
       "how many discs the triangles became", AT(figure[SURFELS]), 0, 0 },
-    { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "splats", "splat_pixels",
+    { OF_DEEP | OF_DEEP_LIT, "splats", "splat_pixels",
       "texels that splats cover at all levels, over the picture's pixels; predicted", AT(figure[SPLATS]), 1, 0 },
-    { OF_TURN, "degrees", "degrees", "that the camera has turned away", AT(figure[DEGREES]), 1, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH, "bytes", "bytes",
+    { OF_AO | OF_LIT | OF_SPLIT | OF_FIELD | OF_DEEPS, "bytes", "bytes",
       "moved per pixel, all passes, each texel of a pass's inputs and outputs once", AT(bytes), 0, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "time", "relative_time",
+    { OF_AO | OF_LIT | OF_SPLIT | OF_FIELD | OF_DEEPS, "time", "relative_time",
       "GL time relative to one unblurred 16-sample ssao", AT(relative), 2, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "ms", "ms",
+    { OF_AO | OF_LIT | OF_SPLIT | OF_FIELD | OF_DEEPS, "ms", "ms",
       "GL time, milliseconds", AT(ms), 1, 0 },
     { OF_FIELD, "median", "median", "half of the pixels are off by less", AT(figure[MEDIAN]), 4, 0 },
-    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "RMSE", "rmse",
+    { OF_AO | OF_FIELD | OF_DEEP, "RMSE", "rmse",
       "root mean square difference to the truth", AT(score.rmse), 4, 0 },
-    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "share", "share", "RMSE over the RMSE of having no AO", AT(share), 3, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP, "share", "share", "RMSE over the RMSE of having no AO", AT(share), 3, 0 },
     { OF_PEER, "fitted", "share_fitted",
       "the share after the best fit of two numbers to this picture", AT(figure[FITTED]), 3, 0 },
-    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "bias", "bias",
+    { OF_AO | OF_FIELD | OF_DEEP, "bias", "bias",
       "mean difference to the truth; below 0: too dark", AT(score.bias), 4, 1 },
     { OF_AO | OF_FIELD | OF_DEEP, "p95", "p95", "95 % of the pixels are off by less", AT(score.p95), 4, 0 },
     { OF_PHASES, "model", "model_error",
@@ -64,12 +61,6 @@ static const column columns[] = {
     { OF_PHASES, "noise", "noise",
       "root of a pixel's variance over the phases of the noise, its mean over the pixels", AT(split[2]), 4, 0 },
     { OF_FIELD, "most", "most", "the worst pixel", AT(figure[MOST]), 3, 0 },
-    { OF_PAIR, "product", "product",
-      "RMSE of 1 - (1 - a)(1 - b), a and b being the two occluders' occlusions", AT(figure[BY_PRODUCT]), 4, 0 },
-    { OF_PAIR, "max", "max_of_two", "RMSE of the larger one", AT(figure[BY_MOST]), 4, 0 },
-    { OF_PAIR, "sum", "sum_of_two", "RMSE of the sum, at most 1", AT(figure[BY_SUM]), 4, 0 },
-    { OF_PAIR, "between", "between",
-      "share of the pixels whose true occlusion lies from the larger one to the sum", AT(figure[BETWEEN]), 3, 0 },
     { OF_LIT | OF_DEEP_LIT, "radiance", "radiance",
       "RMSE of outgoing radiance over the truth's mean", AT(error[0]), 4, 0 },
     { OF_LIT | OF_DEEP_LIT, "bias", "radiance_bias",
@@ -81,21 +72,6 @@ static const column columns[] = {
     { OF_LIT | OF_DEEP_LIT, "bounce", "bounce", "RMSE of the bounce over the truth's mean bounce", AT(error[2]), 3, 0 },
     { OF_LIT | OF_DEEP_LIT, "bias", "bounce_bias",
       "mean difference of the bounce over the truth's mean bounce", AT(bias[2]), 3, 1 },
-    { OF_STAGES, "surfels", "share_surfels", "share of the time: made and captured, lit", AT(figure[STAGE + 0]), 3, 0 },
-    { OF_STAGES, "interleave", "share_interleave",
-      "share of the time: positions and normals dealt out to all levels", AT(figure[STAGE + 1]), 3, 0 },
-    { OF_STAGES, "splat", "share_splat", "share of the time: of all effects", AT(figure[STAGE + 2]), 3, 0 },
-    { OF_STAGES, "deinterleave", "share_deinterleave",
-      "share of the time: pixels back in place", AT(figure[STAGE + 3]), 3, 0 },
-    { OF_STAGES, "smooth", "share_smooth", "share of the time: both axes", AT(figure[STAGE + 4]), 3, 0 },
-    { OF_STAGES, "sum", "share_sum", "share of the time: of the levels", AT(figure[STAGE + 5]), 3, 0 },
-    { OF_STAGES, "light", "share_light", "share of the time: lights on visible surfaces", AT(figure[STAGE + 6]), 3, 0 },
-    { OF_MOTION, "varies", "varies",
-      "standard deviation of a place's ambient visibility over the frames, RMS over the places",
-      AT(figure[FLICKER]), 4, 0 },
-    { OF_MOTION, "truth's", "varies_true",
-      "the same of the truth: pixels fall elsewhere", AT(figure[FLICKER_TRUE]), 4, 0 },
-    { OF_MOTION, "added", "varies_added", "root of the difference of their squares", AT(figure[FLICKER_ADDED]), 4, 0 },
     { OF_SPLIT, "irradiance", "irradiance_phases",
       "RMSE of irradiance over the truth's mean, over all phases of the noise", AT(split[0]), 4, 0 },
     { OF_SPLIT, "bias error", "irradiance_bias_error",
@@ -186,13 +162,6 @@ void table_titled(FILE *f, const char *title, const row *rows, int count)
     table_text(f, rows, count);
 }
 
-static void csv_field(FILE *f, const char *s)
-{
-    fputc('"', f);
-    for (; *s; ++s) { if (*s == '"') fputc('"', f); fputc(*s, f); }
-    fputc('"', f);
-}
-
 void table_csv(FILE *f, const row *rows, int count, int head)
 {
     /* all lit rows make one table, all rows of fields another, all rows of deep screen space a third */
@@ -207,21 +176,18 @@ void table_csv(FILE *f, const row *rows, int count, int head)
     }
     for (int i = 0; i < count; ++i) {
         const char *const names[] = { rows[i].scene, rows[i].label, rows[i].method, rows[i].settings };
-        for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, names[k]); }
-        for (int c = -1; (c = next_key(c, of)) >= 0;) {
-            double v = figure_of(&rows[i], c);
-            if (isnan(v)) fputc(',', f); else fprintf(f, ",%.6g", v);
-        }
+        for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_quote(f, names[k]); }
+        for (int c = -1; (c = next_key(c, of)) >= 0;) csv_figure(f, ",%.6g", figure_of(&rows[i], c));
         fprintf(f, ",%zu\n", rows[i].score.pixels);
     }
 }
 
 int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error *err)
 {
-    page csv;
-    if (page_open(&csv, err)) return -1;
-    table_csv(csv.file, rows, count, 1);
-    page_table(f, kind, &csv);
+    page own;
+    if (page_open(&own, err)) return -1;
+    table_csv(own.file, rows, count, 1);
+    page_table(f, kind, &own);
     return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include "kit/kit_gl.h"
 #include "lab/measure/folder.h"
+#include "lab/measure/line.h"
 #include "lab/measure/stage.h"
 #include "lab/page/page.h"
 
@@ -19,23 +20,17 @@ int units_asked(const options *o, const char *method)
 enum { MOST_LINES = 512 };
 static struct { const char *set; entry entry; } lines[MOST_LINES + 1];
 
-int units_load(kit_error *err)
+void units_load(void)
 {
-    char *at;
-    size_t size;
-    int count = 0, of_set = 0;
-    if (kit_file_read(&at, &size, UNITS_ROWS, err)) return -1;      /* not freed, as rows point into this text */
-    for (at += strcspn(at, "\n") + 1; *at; ++count) {
-        char *f[5];
-        for (int k = 0; k < COUNT(f); ++k) f[k] = page_field(&at);
-        of_set = count && !strcmp(lines[count - 1].set, f[0]) ? of_set + 1 : 1;
-        if (count == MOST_LINES || of_set > MOST_ENTRIES || (strcmp(f[4], "0") && strcmp(f[4], "1")))
-            return kit_fail(err, "%s: line %d is no row (set, label, method, settings, 0 or 1), or one too many",
-                            UNITS_ROWS, count + 2);
-        lines[count].set = f[0];
-        lines[count].entry = (entry){ f[1], f[2], f[3], *f[4] == '1' };
+    line l = { UNITS_FOLDER, .file = "rows" };
+    int of_set = 0;
+    for (line_open(&l); l.at < l.of.rows; ++l.at) {
+        lines[l.at].set = line_cell(&l, "set");
+        lines[l.at].entry = (entry){ line_cell(&l, "label"), line_cell(&l, "method"), line_cell(&l, "settings"),
+                                     line_whole(&l, "quick") };
+        of_set = l.at && !strcmp(lines[l.at - 1].set, lines[l.at].set) ? of_set + 1 : 1;
+        if (l.at == MOST_LINES || of_set > MOST_ENTRIES) line_fault(&l, "set");
     }
-    return 0;
 }
 
 const entry *units_row(int k) { return lines[k].set ? &lines[k].entry : NULL; }
@@ -74,7 +69,9 @@ int units_count(measuring *measure, int count, const options *o)
 /* Sets the key of all units, which depends on the program with its tables, the command's options and the meshes. */
 void units_begin(const options *o, int all)
 {
-    static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE, UNITS_ROWS };
+    static const char *const files[] = { BUNNY, BED, "build/models/maple.obj", "build/models/fzk-house.obj",
+                                         UNITS_FOLDER "/rows.csv", UNITS_FOLDER "/sets.csv",
+                                         UNITS_FOLDER "/views.csv" };
     const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->paper ? o->paper : "",
                                  o->drawn ? o->drawn : "", o->mesh ? o->mesh : "", o->quick ? "quick" : "" };
     memset(&units, 0, sizeof units);

@@ -17,10 +17,10 @@ typedef struct options {
 /* Returns whether the option --method allows this method. */
 int units_asked(const options *o, const char *method);
 
-/* The table of rows to be measured, a csv: each line is of a set. Rows of one label follow each other and make one
+/* The table of rows to be measured, rows.csv: each line is of a set. Rows of one label follow each other and make one
    curve. chart --quick leaves out rows without quick in the last column. Call units_load first. */
-#define UNITS_ROWS "examples/lab/chart/rows.csv"
-int units_load(kit_error *err);
+#define UNITS_FOLDER "examples/lab/chart"
+void units_load(void);
 /* Returns the row in the k-th line; NULL past the last. units_chosen: how many rows of a set the options allow, and
    which. */
 const entry *units_row(int k);

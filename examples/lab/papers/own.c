@@ -1,6 +1,6 @@
 /* own.c - draws the sheets that need a drawing of their own. Declared in sheet.h. */
 #include <math.h>
-#include "lab/chart/fields_stage.h"
+#include "lab/measure/measure.h"
 #include "lab/papers/sheet.h"
 
 /* The terms of hsao: without normal rays; with them, less the former; the filter, behind a gather of one sample. */
@@ -102,7 +102,7 @@ static int draw_rates(FILE *record, const options *o, const sheet *t, row *rows,
    cast as the paper has cubes. */
 static int draw_crowd(FILE *record, const options *o, const sheet *t, row *rows, kit_error *err)
 {
-    static const setup crowd = { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 };
+    static const view crowd = { .name = "crowd", .path = "crowd", .between = 1, .rays = 16 };
     static const int casting[] = { 1, 5, 10, 20 };
     enum { CROWD_WIDTH = 640, CROWD_HEIGHT = 360 };
     kit_run run[COUNT(casting)];
@@ -110,7 +110,7 @@ static int draw_crowd(FILE *record, const options *o, const sheet *t, row *rows,
     stage s;
     alone.count -= COUNT(casting);
     alone.drawn = FIELDS;
-    if (sheet_draw(record, o, &alone, rows, err) || fields_open(&s, &crowd, CROWD_WIDTH, CROWD_HEIGHT, err)) return -1;
+    if (sheet_draw(record, o, &alone, rows, err) || stage_open(&s, &crowd, CROWD_WIDTH, CROWD_HEIGHT, err)) return -1;
     for (int i = 0; i < COUNT(casting); ++i) {
         const paper_row *p = &t->rows[alone.count + i];
         for (int k = 1; k < s.scene.objects; ++k) s.scene.object[k].casts = k <= casting[i];

@@ -168,9 +168,9 @@ static int draw_crops(FILE *record, const options *o, const sheet *t, const stag
         p[i].picture = i ? &picture[i - 1] : &s->truth;
         sheet_slug(p[i].slug, t, i ? c->at[i - 1] + 1 : 100);
     }
-    for (int k = 0; k < MOST_CROPS && s->lit->crop[k][2]; ++k) {
+    for (int k = 0; k < MOST_CROPS && t->see.crop[k][2]; ++k) {
         int crop[4];
-        for (int j = 0; j < 4; ++j) crop[j] = s->lit->crop[k][j] / stage_thrift;
+        for (int j = 0; j < 4; ++j) crop[j] = t->see.crop[k][j] / stage_thrift;
         if (pictures_crops(record, o->out, p + gaps, c->count + 1 - gaps, k, crop, s->lit->exposure, CROP_TIMES, err))
             return -1;
     }
@@ -194,11 +194,9 @@ int sheet_open(stage *s, const sheet *t, const paper_row *first, kit_error *err)
     const int width = first->width ? first->width : t->width ? t->width : SHEET_WIDTH;
     const int height = first->height ? first->height : t->height ? t->height : SHEET_HEIGHT;
     const float reach = first->reach > 0 ? first->reach : 1;
-    const setup between = { .view = t->see, .rays = t->rays };
     view seen = t->see;
-    if (t->drawn == FIELDS) return fields_open(s, &between, width, height, err);
-    if (stage_load(s, &t->see, err)) return -1;
-    s->otherwise = t->otherwise;
+    seen.between = t->drawn == FIELDS;
+    if (stage_load(s, &seen, err)) return -1;
     s->stride = t->stride;
     if (t->rays) s->rays = t->rays;
     else if (!s->lit) s->rays = SHEET_RAYS;

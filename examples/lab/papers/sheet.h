@@ -16,7 +16,7 @@
              reason if it does not hold; unmodelled: for times, the reason why make cost's model cannot judge them
    modelled  milliseconds of rows by that model (build/cost --papers), which judge times if a software rasteriser draws;
              part: which of a row's passes, from 0 on, on a sheet that is drawn as passes
-   views     the scene, its light and its truth, as in lab/measure/stage.h
+   views     the scene, its light and its truth, as in lab/measure/views.h
    absent    parts of a paper that are on no sheet, and why, or where a similar one is shown
    words     the text that replaces {word} in any of these texts */
 #ifndef LAB_SHEET_H
@@ -76,7 +76,6 @@ typedef struct sheet {
     drawing      drawn;
     view         see;
     lit          lit;
-    otherwise    otherwise;
     int          width, height;            /* 0: SHEET_WIDTH x SHEET_HEIGHT */
     int          rays, phases, stride;     /* 0: SHEET_RAYS, not measured, every pixel */
     int          pictured;

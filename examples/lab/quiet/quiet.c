@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include "lab/measure/clock.h"
 #include "lab/measure/csv.h"
 #include "lab/measure/folder.h"
+#include "lab/measure/measure.h"
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
@@ -20,7 +20,7 @@ enum { MOST_QUIET = 48, GPU_ROUNDS = 25, MOST_LINES = MOST_QUIET + PEERS_QUICK +
 enum { NOISE, ALL, TRUTH, KINDS };
 
 /* A measured entry. ms: on the GPU that draws, or modelled for DEVICE at 1920x1080; NAN: not known. */
-typedef struct line { char method[64], settings[256], label[336]; double ms; bands of[KINDS]; } line;
+typedef struct line { request entry; char label[336]; double ms; bands of[KINDS]; } line;
 
 typedef struct quiet {
     const char *scene, *pictures, *out, *context;
@@ -88,15 +88,15 @@ static int compare(quiet *q, int i, const kit_image *picture, const kit_image *c
 
 static int measure_entry(quiet *q, int i, kit_error *err)
 {
-    const line *l = &q->line[i];
+    const request *e = &q->line[i].entry;
     const kit_image *reference[KINDS] = { NULL, NULL, &q->stage.truth };
     kit_image picture = { .data = NULL }, converged = { .data = NULL };
     char text[320];
     kit_method m;
-    if (kit_method_find(&m, l->method, err) || draw(&picture, q, l->method, l->settings, err)) return -1;
+    if (kit_method_find(&m, e->method, err) || draw(&picture, q, e->method, e->settings, err)) return -1;
     if (m.pass == SSGI_GL_PASS_HSAO && !m.set.normal_rays) {        /* it gathers by slices */
-        snprintf(text, sizeof text, "%s%sslices=%d", l->settings, *l->settings ? "," : "", CONVERGED);
-        if (draw(&converged, q, l->method, text, err) || walk_whole(q, l->method, l->settings, err)) return -1;
+        snprintf(text, sizeof text, "%s%sslices=%d", e->settings, *e->settings ? "," : "", CONVERGED);
+        if (draw(&converged, q, e->method, text, err) || walk_whole(q, e->method, e->settings, err)) return -1;
         reference[NOISE] = &converged;
         reference[ALL] = &q->walk;
     }
@@ -116,8 +116,8 @@ static int measure_peers(quiet *q, kit_error *err)
     for (int i = 0; i < count; ++i) {
         line *l = &q->line[q->lines];
         *l = (line){ .ms = kit_gl_is_software() ? (double)NAN : rows[i].ms };
-        snprintf(l->method, sizeof l->method, "%s", rows[i].label);
-        snprintf(l->settings, sizeof l->settings, "%s", rows[i].settings);
+        snprintf(l->entry.method, sizeof l->entry.method, "%s", rows[i].label);
+        snprintf(l->entry.settings, sizeof l->entry.settings, "%s", rows[i].settings);
         snprintf(l->label, sizeof l->label, "%s", rows[i].label);
         if (compare(q, q->lines++, &picture[i], reference, err)) return -1;
         kit_image_free(&picture[i]);
@@ -131,8 +131,8 @@ static int measure_grain(quiet *q, kit_error *err)
 {
     stage half = q->stage;
     line *l = &q->line[q->lines];
-    *l = (line){ .method = "truth", .label = "truth", .ms = (double)NAN };
-    snprintf(l->settings, sizeof l->settings, "rays=%d", q->rays);
+    *l = (line){ .entry = { .method = "truth" }, .label = "truth", .ms = (double)NAN };
+    snprintf(l->entry.settings, sizeof l->entry.settings, "rays=%d", q->rays);
     half.rays = q->rays / 2;
     memset(&half.truth, 0, sizeof half.truth);
     if (stage_truth(&half, err)) return -1;
@@ -148,7 +148,7 @@ static int measure_grain(quiet *q, kit_error *err)
 static double ms_of(const line *l, const csv *costs)
 {
     char name[336];
-    snprintf(name, sizeof name, "%s%s%s", l->method, *l->settings ? "," : "", l->settings);
+    snprintf(name, sizeof name, "%s%s%s", l->entry.method, *l->entry.settings ? "," : "", l->entry.settings);
     for (int i = 0; i < costs->rows; ++i)
         if (!strcasecmp(csv_text(costs, i, "chain"), name) && !*csv_text(costs, i, "pass"))
             return csv_number(costs, i, DEVICE " weighed");
@@ -164,15 +164,11 @@ static void take_modelled(quiet *q)
 
 static int measure_ms(quiet *q, kit_error *err)
 {
-    kit_run run[MOST_QUIET];
+    entry entries[MOST_QUIET];
     row rows[MOST_QUIET];
-    for (int i = 0; i < q->lines; ++i) {
-        const line *l = &q->line[i];
-        rows[i] = row_blank(0, q->stage.name, l->label, l->method, l->settings);
-        if (stage_run(&run[i], &q->stage, l->method, l->settings, q->stage.radius, err)) return -1;
-        kit_run_draw(&run[i], 1);
-    }
-    if (clock_runs(rows, &q->stage, run, q->lines, GPU_ROUNDS, err)) return -1;
+    for (int i = 0; i < q->lines; ++i)
+        entries[i] = (entry){ q->line[i].label, q->line[i].entry.method, q->line[i].entry.settings, 1 };
+    if (measure_times(rows, &q->stage, entries, q->lines, GPU_ROUNDS, err)) return -1;
     for (int i = 0; i < q->lines; ++i) q->line[i].ms = rows[i].ms;
     return 0;
 }
@@ -182,22 +178,16 @@ static int measure_ms(quiet *q, kit_error *err)
 #define OF_KIND(kind) kind "_1," kind "_3," kind "_8," kind "_20," kind "_seen"
 #define FIGURES_OF "ms," OF_KIND("noise") "," OF_KIND("all") "," OF_KIND("truth")
 
-static void put_figure(FILE *f, const char *format, double v)
-{
-    fputc(',', f);
-    if (!isnan(v)) fprintf(f, format, v);
-}
-
 static void put_csv(FILE *f, const quiet *q)
 {
     fputs("scene,width,height,radius,rays,pixels,method,settings," FIGURES_OF, f);
     for (int i = 0; i < q->lines; ++i) {
         const line *l = &q->line[i];
         fprintf(f, "\n\"%s\",%d,%d,%g,%d,%zu,\"%s\",\"%s\"", q->scene, q->size[0], q->size[1],
-                (double)q->stage.radius, q->rays, q->shaded.pixels, l->method, l->settings);
-        put_figure(f, "%.3f", l->ms);
+                (double)q->stage.radius, q->rays, q->shaded.pixels, l->entry.method, l->entry.settings);
+        csv_figure(f, ",%.3f", l->ms);
         for (int k = 0; k < KINDS; ++k)
-            for (int b = 0; b <= BANDS; ++b) put_figure(f, "%.6f", b < BANDS ? l->of[k].rms[b] : l->of[k].seen);
+            for (int b = 0; b <= BANDS; ++b) csv_figure(f, ",%.6f", b < BANDS ? l->of[k].rms[b] : l->of[k].seen);
     }
     fputs("\n", f);
 }
@@ -230,15 +220,12 @@ static int write_files(const quiet *q, kit_error *err)
 static int add_entry(void *to, const char *text, kit_error *err)
 {
     quiet *const q = to;
-    const char *colon = strchr(text, ':');
     kit_method m;
     if (q->lines == MOST_QUIET) return kit_fail(err, "%s: at most %d entries", text, MOST_QUIET);
     line *l = &q->line[q->lines++];
-    snprintf(l->method, sizeof l->method, "%.*s", (int)(colon ? colon - text : (long)strlen(text)), text);
-    snprintf(l->settings, sizeof l->settings, "%s", colon ? colon + 1 : "");
+    if (request_read(&l->entry, &m, text, err)) return -1;
     snprintf(l->label, sizeof l->label, "%s", text);
-    if (colon) l->label[strlen(l->method)] = ' ';
-    if (kit_method_find(&m, l->method, err) || kit_method_set(&m, l->settings, err)) return -1;
+    if (*l->entry.settings) l->label[strlen(l->entry.method)] = ' ';
     return m.lit || m.between ? kit_fail(err, "%s: does not draw ambient visibility of the whole scene", text) : 0;
 }
 

@@ -151,21 +151,14 @@ static int told(const char **text, const char *word)
     return 1;
 }
 
-static int method_of(kit_method *m, const char *text, kit_error *err)
-{
-    char name[64];
-    const char *colon = strchr(text, ':');
-    snprintf(name, sizeof name, "%.*s", (int)(colon ? colon - text : (long)strlen(text)), text);
-    return kit_method_find(m, name, err) || kit_method_set(m, colon ? colon + 1 : "", err) ? -1 : 0;
-}
-
 /* Draws all frames of a method. pictures: of these frames, then of the last frame drawn alone. */
 static int draw_all(kit_image *pictures, shot *shots, const char *text, const struct kind *kind, kit_error *err)
 {
     static kit_frames frames;
+    request a;
     kit_method m;
     const int turned = told(&text, "turned "), place = told(&text, "place ");
-    if (method_of(&m, text, err)) return -1;
+    if (request_read(&a, &m, text, err)) return -1;
     for (int k = 0; k < MOVED; ++k) {
         const kit_world world = { &shots[k].scene, &shots[k].lighting };
         kit_image *alone = k == MOVED - 1 ? &pictures[MOVED] : NULL;

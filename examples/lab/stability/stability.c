@@ -154,7 +154,8 @@ int main(int argc, char **argv)
     kit_error err = { "" };
     if (kit_help(argc, argv, usage, options)) return 0;
     kit_streams_open();
-    if (!sweeps_load(&err) && !(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err))
+    sweeps_load();
+    if (!(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err))
         && !kit_gl_open(NULL, &err) && !(moving ? moves(&m, NULL, &err) : stability(&o, &err)))
         kit_streams_close(&err);
     if (*err.text) {

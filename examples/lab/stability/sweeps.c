@@ -1,44 +1,16 @@
-/* sweeps.c - the methods that are swept, and the causes of failure: each is a line of a csv with a scene and one thing
-   in it that changes. Declared in sweeps.h. */
+/* sweeps.c - the methods that are swept, and the causes of failure, each a scene and one thing in it that changes. They
+   are lines of methods.csv and causes.csv. Declared in sweeps.h. */
 #include "lab/stability/sweeps.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lab/page/page.h"
+#include "lab/measure/line.h"
 #include "lab/stability/maths.h"
 
 /* ---- >>methods --------------------------------------------------------------------------------------------------- */
 
-const swept sweeps_method[] = {
-    { "ssao",       "ssao",       "",                             SCREEN,         3840 },
-    { "hsao-fast",  "hsao-fast",  "",                             SCREEN,         3840 },
-    { "hsao",       "hsao",       "",                             SCREEN,         3840 },
-    { "hsao-back",  "hsao",       "thickness=back",                  THIN,           3840 },
-    { "hsao-best",  "hsao-best",  "",                             SCREEN,         3840 },
-    { "hsao-march", "hsao-march", "",                             SCREEN,         1920 },
-    { "ssdo",       "ssdo",       "bounce=none",                  LIGHT | TURNED, 1920 },
-    { "s3ho",       "s3ho",       "indirect=none",                LIGHT | TURNED, 1920 },
-    { "ssbn",       "ssbn",       "",                             LIGHT | TURNED, 1920 },
-    { "hsao-fast-history", "hsao-fast", "history=1",             KEPT,           1920 },
-    { "hsao-history", "hsao-history", "",                        KEPT,           1920 },
-    { "hsao-2x10-history", "hsao", "samples=10,history=1",          KEPT,           1920 },
-    { "ssdo-history", "ssdo",    "bounce=none,history=1",        KEPT | KEPT_LIGHT, 1920 },
-    { "ssdo-fast-history", "ssdo-fast", "bounce=none,history=1", KEPT_LIGHT,     1920 },
-    /* with the reach that a close look needs, 0.7 image heights; 4 levels reach 0.18 of one */
-    { "dss",        "dss",        "levels=6,resolution=full",              OF_SURFELS,       1280 },
-    { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED | FAR,   1280 },
-    { "aof",        "aof",        "field_resolution=8,radii=8,rays=64", FIELD | FAR,    1920 },
-    { "ssdo-bounce", "ssdo",      "",                             BOUNCED,        1920 },
-    { "s3ho-bounce", "s3ho",      "indirect=joint",               BOUNCED,        1920 },
-    { "dss-bounce", "dss-lit",    "",                             BOUNCED | FAR,  1280 },
-    { "ssdo-segment", "ssdo",     "bounce=none,shadows=segment",  SHADOWED,       1920 },
-    { "ssdo-map",   "ssdo",       "bounce=none,shadows=map",      SHADOWED,       1920 },
-    { "ssdo-fill",  "ssdo",       "bounce=none,shadows=fill",     SHADOWED,       1920 },
-    { "ssao-raw",   "ssao",       "blur=0",                       COUNTED,        1920 },
-    { "hsao-march-raw", "hsao-march", "blur=0",                   COUNTED,        1920 }
-};
-const int sweeps_methods = sizeof sweeps_method / sizeof *sweeps_method;
-_Static_assert(sizeof sweeps_method / sizeof *sweeps_method <= MOST_METHODS, "more methods than MOST_METHODS");
+swept sweeps_method[MOST_METHODS];
+int sweeps_methods;
 
 /* ---- >>looks: the scene of a frame, for each cause --------------------------------------------------------------- */
 
@@ -364,58 +336,49 @@ static const struct { const char *name; int (*curves)(result *r, kit_error *err)
 cause sweeps_cause[MOST_CAUSES];
 int sweeps_causes;
 
-/* Returns the index of the word with which a text begins, up to a + or its end; -1: no such word. words: separated by
-   blanks. */
-static int word(const char *words, const char *text)
+/* Returns the groups of methods in a line's column of. */
+static int groups(const line *l)
 {
-    const size_t length = strcspn(text, "+");
-    int n = 0;
-    for (const char *at = words; *at; ++n, at += strspn(at, " ")) {
-        const size_t own = strcspn(at, " ");
-        if (own == length && !memcmp(at, text, own)) return n;
-        at += own;
-    }
-    return -1;
+    int of = 0;
+    for (const char *at = line_cell(l, "of"); *at; at += strcspn(at, "+"), at += *at == '+')
+        of |= 1 << line_word(l, "of", "screen light surfels field thin turned kept kept-light bounced shadowed counted "
+                                      "far", at, strcspn(at, "+"));
+    return of;
 }
 
-/* Makes a cause of the fields of a line of the csv. Returns 0 if one of them is wrong. */
-static int cause_of(cause *c, char *const *f)
+static void read_cause(cause *c, const line *l)
 {
-    *c = (cause){ .name = f[0], .title = f[1], .across = f[2], .about = f[3], .holds = f[15], .bounds = f[16] };
-    c->kind = word("error precision deviation second lit-second follows after newly trail held shades", f[4]);
-    for (const char *at = f[5]; *at; at += strcspn(at, "+"), at += *at == '+') {
-        const int bit = word("screen light surfels field thin turned kept kept-light bounced shadowed counted", at);
-        if (bit < 0) return 0;
-        c->of |= 1 << bit;
-    }
-    c->width = atoi(f[6]);
-    c->rays = atoi(f[7]);
-    c->log = atoi(f[8]);
-    c->told = atoi(f[9]);
-    c->format = *f[10] ? 1 + word("exact half unorm24 float32 reversed32", f[10]) : 0;
-    for (size_t i = 0; i < sizeof looks / sizeof *looks; ++i) if (!strcmp(looks[i].name, f[11])) c->at = looks[i].at;
+    const char *placed = line_cell(l, "look"), *kind = line_cell(l, "kind"), *depth = line_cell(l, "depth"),
+               *at = line_cell(l, "values");
+    char *end;
+    *c = (cause){ .name = line_cell(l, "name"), .title = line_cell(l, "title"), .across = line_cell(l, "across"),
+                  .about = line_cell(l, "about"), .holds = line_cell(l, "holds"), .bounds = line_cell(l, "bounds"),
+                  .number = line_text(l, "number"), .up = line_text(l, "up"), .of = groups(l),
+                  .width = line_whole(l, "width"), .rays = line_whole(l, "rays"), .log = line_whole(l, "log"),
+                  .told = line_whole(l, "told") };
+    c->kind = line_word(l, "kind", "error precision deviation second lit-second follows after newly trail held "
+                                   "shades", kind, strlen(kind));
+    if (*depth)
+        c->format = EXACT + line_word(l, "depth", "exact half unorm24 float32 reversed32", depth, strlen(depth));
+    for (size_t i = 0; i < sizeof looks / sizeof *looks; ++i) if (!strcmp(looks[i].name, placed)) c->at = looks[i].at;
     for (size_t i = 0; i < sizeof of_maths / sizeof *of_maths; ++i)
-        if (!strcmp(of_maths[i].name, f[11])) c->curves = of_maths[i].curves;
-    char *at = f[12], *end = at;
+        if (!strcmp(of_maths[i].name, placed)) c->curves = of_maths[i].curves;
     for (int i = 0; i < MOST_VALUES && *at; ++i, at = end) c->value[i] = strtod(at, &end);
-    c->number = *f[13] ? f[13] : NULL;
-    c->up = *f[14] ? f[14] : NULL;
-    return c->kind >= 0 && !*at && (c->curves || (c->at && c->of && c->width > 0 && (*f[12] != 0)));
+    if (*at || (!c->curves && !(c->at && c->of && c->width > 0 && *line_cell(l, "values")))) line_fault(l, "look");
 }
 
-int sweeps_load(kit_error *err)
+void sweeps_load(void)
 {
-    enum { FIELDS = 17 };
-
-    char *at, *f[FIELDS];
-    size_t size;
-    if (kit_file_read(&at, &size, SWEEPS_CAUSES, err)) return -1;   /* not freed, as causes point into this text */
-    for (at += strcspn(at, "\n") + 1, sweeps_causes = 0; *at; ++sweeps_causes) {
-        for (int k = 0; k < FIELDS; ++k) f[k] = page_field(&at);
-        if (sweeps_causes == MOST_CAUSES || !cause_of(&sweeps_cause[sweeps_causes], f))
-            return kit_fail(err, "%s: line %d is no cause, or one too many", SWEEPS_CAUSES, sweeps_causes + 2);
+    line m = { SWEEPS_FOLDER, .file = "methods" }, l = { SWEEPS_FOLDER, .file = "causes" };
+    for (line_open(&m), sweeps_methods = 0; m.at < m.of.rows; ++m.at) {
+        if (sweeps_methods == MOST_METHODS) line_fault(&m, "label");
+        sweeps_method[sweeps_methods++] = (swept){ line_cell(&m, "label"), line_cell(&m, "method"),
+                                                   line_cell(&m, "settings"), groups(&m), line_whole(&m, "widest") };
     }
-    return 0;
+    for (line_open(&l), sweeps_causes = 0; l.at < l.of.rows; ++l.at) {
+        if (sweeps_causes == MOST_CAUSES) line_fault(&l, "name");
+        read_cause(&sweeps_cause[sweeps_causes++], &l);
+    }
 }
 
 look sweeps_look(const cause *c, double value, int frame)

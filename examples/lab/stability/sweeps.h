@@ -29,8 +29,8 @@ enum {
 /* A method that is swept. widest: the largest picture width at which it is drawn */
 typedef struct swept { const char *label, *method, *settings; int of, widest; } swept;
 enum { MOST_METHODS = 32 };
-extern const swept sweeps_method[];
-extern const int sweeps_methods;
+extern swept sweeps_method[MOST_METHODS];
+extern int sweeps_methods;
 
 /* ---- >>causes ---------------------------------------------------------------------------------------------------- */
 
@@ -87,10 +87,10 @@ typedef struct cause {
 enum { MOST_CAUSES = 64 };
 extern cause sweeps_cause[MOST_CAUSES];
 extern int sweeps_causes;
-/* Reads the lines of causes; call it first. Columns: see cause; of: words with + between; depth: a name of format;
-   look: a function of sweeps.c or, without values, of maths.c. */
-#define SWEEPS_CAUSES "examples/lab/stability/causes.csv"
-int sweeps_load(kit_error *err);
+/* Reads the lines of methods.csv and causes.csv; call it first. Columns: see swept and cause; of: words with + between;
+   depth: a name of format; look: a function of sweeps.c or, without values, of maths.c. */
+#define SWEEPS_FOLDER "examples/lab/stability"
+void sweeps_load(void);
 
 /* Returns the look of a cause at a value, in one of its frames. */
 look sweeps_look(const cause *c, double value, int frame);
