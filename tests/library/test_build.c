@@ -364,13 +364,13 @@ static void installed(void)
 {
     char text[4000];
     write_text("stub", "#!/bin/sh\ncase ${0##*/} in id) echo ${ID:-0};; dpkg-query) exit 1;; sudo) test \"$1\" = -n || "
-               "{ echo sudo >>asked; \"$@\"; };; *) echo \"$*\" >>asked;; esac\n");
+               "{ echo \"sudo $*\" >>asked; \"$@\"; };; *) echo \"$*\" >>asked;; esac\n");
     for (int k = 0; k < 2; ++k)
         CHECK(!shell(text, sizeof text,
                      "chmod +x stub && rm -f asked && for of in id dpkg-query apt-get sudo; do ln -sf stub $of; done "
                      "&& export PATH=\"$PWD:$PATH\" ID=%s && sh '%s/examples/kit/install.sh' nameless && "
-                     "grep 'install -y .* nameless' asked && test $ID = $(grep -q sudo asked; echo $((!$?)))",
-                     k ? "1" : "0", t_root),
+                     "grep 'install -y .* nameless' asked && "
+                     "test $ID = $(grep -c '^sudo .* install' asked)", k ? "1" : "0", t_root),
               "%s: %s", k ? "by sudo" : "as root", text);
 }
 
@@ -409,7 +409,7 @@ static void measured(void)
     CHECK(!shell(text, sizeof text,
                  "tr -s '\\n ' ' ' <'%s/README.md' >readme && cd '%s/examples/docs/figures' && awk -F '\"' -f "
                  "$OLDPWD/measured.awk seeds.csv cost.csv cost-peers.csv cost-peers-published.csv >$OLDPWD/told && "
-                 "cd - && test $(wc -l <told) = 9 && while read -r line; do grep -qF -e \"$line\" readme || "
+                 "cd - >/dev/null && test $(wc -l <told) = 9 && while read -r line; do grep -qF -e \"$line\" readme || "
                  "{ echo \"$line\"; exit 1; }; done <told", t_root, t_root),
           "README.md does not say what the csv of examples/docs/figures do: %s", text);
 }
