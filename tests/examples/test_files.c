@@ -462,8 +462,8 @@ static void figures(void)
 #undef ROW
 }
 
-/* Checks that README's charts are drawn from the csv, on white, as the page around them may be dark. A line's name
-   stands at the method without settings, else at the least error; for a sweep at its end. */
+/* Checks that README's charts and tables are those of the csv, and the charts on white, as the page around them may be
+   dark. A line's name stands at the method without settings, else at the least error; for a sweep at its end. */
 static void charts(void)
 {
     static const char *const lines =
@@ -488,13 +488,15 @@ static void charts(void)
     if (!has("node")) return;
     write_text("lines.js", lines);
     CHECK(!shell(said, sizeof said, "node lines.js '%s'%s", t_root, ""), "lines have their names at %s", said);
+    CHECK(!shell(said, sizeof said, "d=$PWD && cd '%s' && node examples/lab/page/figures.mjs --csv \"$d\" && "
+                 "diff README.md \"$d\" && diff examples/docs/BENCH.md \"$d\" && rm \"$d\"/*.md%s", t_root, ""),
+          "tables are not of the csv (node examples/lab/page/figures.mjs --csv): %s", said);
     if (shell(said, sizeof said, "test -d '%s/build/page/node_modules/linkedom'%s", t_root, "")) {
         t_note("Observable Plot is not there: charts are not drawn (make page-deps)");
         return;
     }
-    CHECK(!shell(said, sizeof said, "d=$PWD && cd '%s' && node examples/lab/page/figures.mjs --csv \"$d\" && for f in "
-                 "\"$d\"/*.svg; do cmp \"$f\" examples/docs/pictures/${f##*/} || exit 1; done%s", t_root, ""), "%s",
-          said);
+    CHECK(!shell(said, sizeof said, "d=$PWD && cd '%s' && for f in \"$d\"/*.svg; do "
+                 "cmp \"$f\" examples/docs/pictures/${f##*/} || exit 1; done%s", t_root, ""), "%s", said);
 }
 
 /* ---- HDR --------------------------------------------------------------------------------------------------------- */
@@ -1113,7 +1115,7 @@ void test_files(void)
     RUN("a malformed camera is an error that names the attribute, unless nobody asks", exr_camera_bad);
     RUN("what cannot be written leaves nothing behind and the old file alone", unwritable);
     RUN("damaged pictures neither crash nor trip a sanitizer", fuzzed);
-    RUN("README's charts stand on white, and are drawn of the csv beside them", charts);
+    RUN("README's charts stand on white, and are drawn of the csv beside them, as its tables and BENCH's are", charts);
     RUN("figures of full runs take their parts of the page, others stay; of a broken record none", figures);
     RUN("a Radiance HDR gives the values of its format, a cut one an error", hdr);
     RUN("a Radiance HDR that is wrong, or claims more than it holds, is a clear error", hdr_bad);

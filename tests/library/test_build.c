@@ -51,6 +51,10 @@ static void compilers(void)
         const int failed = shell(text, sizeof text, "%s -c implementation.c -o %s", compile, object)
                         || text[0];
         if (!i) implementation_seconds = t_spent(1) - before;
+        /* Tables of constants are in .rodata, or in .data.rel.ro if they have addresses. */
+        CHECK(i || !shell(text, sizeof text, "size -A implementation.o >sections && ! grep -E '%s[1-9]' sections%s",
+                          "^[.]t?(data|bss)([.]rel([.]local)?)? +", ""),
+              "both headers keep state, in variables: %s", text);
         CHECK(!failed
                   && !shell(text, sizeof text,
                             "%s all.c -x none %s -lm -o two && ./two", compile, object)
@@ -288,6 +292,15 @@ static void documentation(void)
                  t_root, "[^)]*"),
           "a link leads nowhere: %s", text);
     CHECK(!shell(text, sizeof text,
+                 "cd '%s' && awk '{ line = $0 } /^#+ / { s = tolower($0); sub(/^#+ /, \"\", s); "
+                 "gsub(/[^a-z0-9 _-]/, \"\", s); gsub(/ /, \"-\", s); has[FILENAME \"#\" s] } "
+                 "{ while (match(line, /\\]\\(%s\\)/)) { from[++n] = FILENAME; "
+                 "to[n] = substr(line, RSTART + 2, RLENGTH - 3); line = substr(line, RSTART + RLENGTH) } } "
+                 "END { for (i in to) { at = from[i]; if (to[i] !~ /^#/) sub(/[^\\/]*$/, \"\", at); at = at to[i]; "
+                 "sub(/examples.docs.[.][.].[.][.]./, \"\", at); if (!(at in has)) { print from[i] \": \" to[i]; "
+                 "bad = 1 } } exit bad || n < 40 }' README.md examples/docs/*.md", t_root, "[^):]*#[^)]*"),
+          "a link leads to no heading: %s", text);
+    CHECK(!shell(text, sizeof text,
                  "cd '%s' && for t in $(grep -ohE '(`|^    )make [a-z][a-z-]*' README.md examples/docs/*.md | "
                  "awk '{ print $2 }' | sort -u); do test -e $t || "
                  "grep -qE \"^([a-z-]+ )*$t( [a-z-]+)*:%s\" Makefile || { echo \"make $t\"; exit 1; }; done", t_root,
@@ -310,6 +323,13 @@ static void documentation(void)
                  "{ echo \"$n\"; exit 1; }; done", t_root, "$"),
           "README.md has a figure that FIGURES.md, BENCH.md and FAILURES.md of examples/docs have not: %s", text);
     CHECK(!shell(text, sizeof text,
+                 "cd '%s/examples/docs' && awk '{ line = $0; while (match(line, /[0-9]+[.][0-9]+/)) { "
+                 "x = substr(line, RSTART, RLENGTH); line = substr(line, RSTART + RLENGTH); found = FILENAME ~ /^F/; "
+                 "if (found) all[x]; half = 0.501 * 10 ^ -(length(x) - index(x, \".\")); "
+                 "for (k in all) if (k - x < half && x - k < half) found = 1; "
+                 "if (!found) { print x; bad = 1 } } } END { exit bad }' FAILURES.md LIMITS.md%s", t_root, ""),
+          "LIMITS.md has a figure that FAILURES.md has not, whose figures may have more decimals: %s", text);
+    CHECK(!shell(text, sizeof text,
                  "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/docs/PASSES.md' passes.md",
                  t_root, t_root),
           "examples/docs/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
@@ -317,6 +337,12 @@ static void documentation(void)
                  t_root)
               && SSGI_VERSION == 500 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 5,
           "the headers' first lines and SSGI_VERSION disagree");
+    CHECK(!shell(text, sizeof text,
+                 "cd '%s' && set -x && grep 'Version 0.5:' README.md && grep \"in $(wc -l <examples/minimal.c) lines\" "
+                 "README.md && grep \"^[*][*]three.js[*][*], r$(sed -n 's/.*\"three\": \">=0.%s.*/\\1/p' "
+                 "examples/tools/packages/package.json) or later\" README.md && grep MIT LICENSE && "
+                 "grep 'public domain' LICENSE", t_root, "\\([0-9]*\\)"),
+          "README.md has another version, length of minimal.c, three.js or licence: %s", text);
     /* Checks that the header's script, by the tables of renames, leaves no old name above them: it turns 0.3 into
        0.4. */
     CHECK(!shell(
@@ -331,6 +357,84 @@ static void documentation(void)
               "echo '%s' | sed -f renames.sed | grep '^%s$'",
               "chain.desc.steps = SSGI_GL_WIDTH;", "chain.desc.gather.steps = SSGI_GL_PASS_THICKNESS;"),
           "CHANGES: %s", text);
+}
+
+/* Checks by a Debian of stubs that a missing package is asked of apt-get, by sudo if not root. */
+static void installed(void)
+{
+    char text[4000];
+    write_text("stub", "#!/bin/sh\ncase ${0##*/} in id) echo ${ID:-0};; dpkg-query) exit 1;; sudo) test \"$1\" = -n || "
+               "{ echo \"sudo $*\" >>asked; \"$@\"; };; *) echo \"$*\" >>asked;; esac\n");
+    for (int k = 0; k < 2; ++k)
+        CHECK(!shell(text, sizeof text,
+                     "chmod +x stub && rm -f asked && for of in id dpkg-query apt-get sudo; do ln -sf stub $of; done "
+                     "&& export PATH=\"$PWD:$PATH\" ID=%s && sh '%s/examples/kit/install.sh' nameless && "
+                     "grep 'install -y .* nameless' asked && "
+                     "test $ID = $(grep -c '^sudo .* install' asked)", k ? "1" : "0", t_root),
+              "%s: %s", k ? "by sudo" : "as root", text);
+}
+
+/* Checks README's sentences about scenes by seed and costs, which are worked out anew of the csv. $2, $4 and $6 are the
+   fields of the csv in quotes. */
+static void measured(void)
+{
+    static const char *const work =
+        "FNR == 1 { ++file; for (n = split($0, head, \",\"); n; --n) column[head[n]] = n; next }\n"
+        "{ n = split($7, v, \",\"); name = $2 \", \" $6 }\n"
+        "file == 1 && $1 ~ /,judged,.*,visibility,$/ && (name == \"hsao, \" || v[3] > 0) {\n"
+        "    split($1, at, \",\"); ++count[name]; sum[name] += v[2]; if (v[2] > worst[name]) worst[name] = v[2]\n"
+        "    if (name == \"hsao, \") own[at[1]] = v[2]\n"
+        "    else { if (name ~ /Neural/ && v[2] < own[at[1]]) neural[at[1]]\n"
+        "           if (name ~ /GTAONode/) { node = name; if (v[3] < own[at[1]]) fitted[at[1]] } } }\n"
+        "$3 ~ /^,,1920,1080,/ && (file == 2 && $2 == \"hsao\" || file == 3 && $2 ~ /GTAONode/) {\n"
+        "    split($3, v, \",\"); k = file == 2; if (k in ms) next\n"
+        "    ms[k] = v[column[\"RX 6800 weighed\"] - 2]; deck[k] = v[column[\"Steam Deck weighed\"] - 2] }\n"
+        "file == 4 { n = split($0, v, \",\"); x = v[n]; if (!low || x < low) low = x; if (x > high) high = x }\n"
+        "END {\n"
+        "    split(\"one two three four five six\", few, \" \")\n"
+        "    for (k in sum) if (k != \"hsao, \" && (!best || sum[k] / count[k] < sum[best] / count[best])) best = k\n"
+        "    for (k in neural) ++a; for (k in fitted) ++b; h = \"hsao, \"\n"
+        "    printf \"it removes %.0f %% of the error\\n\", 100 - 100 * sum[h] / count[h]\n"
+        "    printf \"on average over %d scenes\\nmean of %d generated scenes\\n\", count[h], count[h]\n"
+        "    printf \"three.js\\047 %s comes closest, with %.0f %%\\n\", best ~ /GTAONode/ ? \"GTAONode\" : best, "
+        "100 - 100 * sum[best] / count[best]\n"
+        "    printf \"`hsao` has an error of %.3f, and GTAONode one of %.3f\\n\", worst[h], worst[node]\n"
+        "    printf \"On %s scene n8ao\\047s neural mode had a smaller error, \", few[a]\n"
+        "    printf \"and on %s scenes GTAONode after fitting\\n\", few[b]\n"
+        "    printf \"gives `hsao` %.3f ms and GTAONode %.3f ms on an AMD RX 6800\\n\", ms[1], ms[0]\n"
+        "    printf \"the estimate for `hsao` is %.3f ms\\n[%.2f to %.2f times]\\n\", deck[1], low, high\n"
+        "}\n";
+    char text[4000];
+    write_text("measured.awk", work);
+    CHECK(!shell(text, sizeof text,
+                 "tr -s '\\n ' ' ' <'%s/README.md' >readme && cd '%s/examples/docs/figures' && awk -F '\"' -f "
+                 "$OLDPWD/measured.awk seeds.csv cost.csv cost-peers.csv cost-peers-published.csv >$OLDPWD/told && "
+                 "cd - >/dev/null && test $(wc -l <told) = 9 && while read -r line; do grep -qF -e \"$line\" readme || "
+                 "{ echo \"$line\"; exit 1; }; done <told", t_root, t_root),
+          "README.md does not say what the csv of examples/docs/figures do: %s", text);
+}
+
+/* Checks that each row of tests/promises.csv has its promise in README.md, where line breaks count as spaces, and its
+   test in a file under tests/ that is named by its group. */
+static void promises(void)
+{
+    char text[4000];
+    write_text("promises.awk",
+               "FNR == 1 && FILENAME == \"readme\" { readme = $0; next }\n"
+               "NR == 2 { next }\n"
+               "!/^\".*\"$/ || NF != 3 { print \"line \" FNR \" has other than three fields\"; bad = 1; next }\n"
+               "{ promise = substr($1, 2); group = $2; test = substr($3, 1, length($3) - 1)\n"
+               "  if (!(group in all)) {\n"
+               "      list = \"cat \" tests \"/*/*\" group \"*\"; all[group] = \"\"\n"
+               "      while ((list | getline line) > 0) all[group] = all[group] line \"\\n\"\n"
+               "      close(list) }\n"
+               "  if (!index(readme, promise)) { print \"not in README.md: \" promise; bad = 1 }\n"
+               "  if (!index(all[group], test)) { print \"no test of \" group \": \" test; bad = 1 } }\n"
+               "END { exit bad || FNR < 100 }\n");
+    CHECK(!shell(text, sizeof text,
+                 "r='%s' && tr -s '\\n ' ' ' <\"$r/README.md\" >readme && awk -v tests=\"$r/tests\" -F '%s' "
+                 "-f promises.awk readme \"$r/tests/promises.csv\"", t_root, "\",\""),
+          "tests/promises.csv: %s", text);
 }
 
 static void fuzz(void)
@@ -412,7 +516,7 @@ static void formatted(void)
 static void surroundings(void)
 {
     static const struct { const char *folders; int most; } rows[] = {
-        { "tests", 26298 },         { "examples/lab", 15905 },
+        { "tests", 26437 },         { "examples/lab", 15907 },
         { "examples/kit", 16254 },  { "examples/tools", 5832 },
         { "Makefile", 571 },        { "examples/web examples/viewer examples/hosts", 10104 }
     };
@@ -439,6 +543,9 @@ void test_build(void)
     RUN("the code in the headers' comments and in the README compiles as C99, C++11 and C++20, and runs",
         documentation);
     RUN("comments and the README name fields, functions and passes that there are", names);
+    RUN("README's sentences have the numbers of the scenes by seed and of the costs", measured);
+    RUN("each promise of README has a test", promises);
+    RUN("a package that is missing is installed by apt-get, with sudo", installed);
     RUN("what surrounds the headers does not grow", surroundings);
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     RUN("no ray leaves a closed mesh between its triangles, by whatever rules of arithmetic", closed_meshes);

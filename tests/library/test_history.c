@@ -449,7 +449,7 @@ static void last_frames(void)
         other.height = sizes[k].height;
         kit_camera_matrices(&other, then, projection);
         CHECK(view_of(&last, &other, 0) && ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_OK
-                  && frame.history_frames > 1 && (int)frame.last_size[0] == other.width
+                  && frame.history_frames == 16 && (int)frame.last_size[0] == other.width
                   && (int)frame.last_size[1] == other.height
                   && fabs((double)frame.last_footprint / sizes[k].footprint - 1) < 1e-5,
               "of another size: %s; %d x %d, pixels %.6f times as wide", why, (int)frame.last_size[0],

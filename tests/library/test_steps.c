@@ -1040,6 +1040,35 @@ static void results(void)
     }
 }
 
+/* Checks the passes of methods at 1920x1080, and the bytes of their own textures, of which some are kept twice. */
+static void megabytes(void)
+{
+    static const struct { const char *name, *passes; double megabytes; } row[] = {
+        { "hsao", "thickness 960x540 hsao 960x540 blur 1920x1080 ", 12.4 },
+        { "hsao-history",
+          "thickness 960x540 hsao 960x540 change_mask 240x135 change_share 240x135 history 1920x1080 ", 43.9 } };
+    for (int i = 0; i < ROWS(row); ++i) {
+        static ssgi_gl_step step[STEPS];
+        ssgi_gl_chain chain;
+        char passes[400] = "";
+        double bytes = 0;
+        if (!T_OK(ssgi_gl_chain_of, &chain, row[i].name)) return;
+        chain.width = 1920;
+        chain.height = 1080;
+        const int n = ssgi_gl_steps(step, STEPS, &chain, NULL);
+        for (int k = 0, made = 0; k < n; ++k) {
+            snprintf(passes + strlen(passes), sizeof passes - strlen(passes), "%s %dx%d ",
+                     ssgi_gl_pass_name(step[k].desc.pass), step[k].width, step[k].height);
+            for (int o = 0; o < step[k].outputs; ++o)
+                if (step[k].output[o].texture == made && ++made)
+                    bytes += (double)step[k].width * step[k].height * step[k].output[o].format->bytes
+                           * (1 + step[k].output[o].kept);
+        }
+        CHECK(fabs(bytes / 1e6 - row[i].megabytes) < 0.05 && !strcmp(passes, row[i].passes), "%s: %.1f MB, %s",
+              row[i].name, bytes / 1e6, passes);
+    }
+}
+
 /* Checks how many steps chains with one camera and one layer of depth have: each part on and off, in each preset. */
 static void room_for_steps(void)
 {
@@ -1204,6 +1233,7 @@ void test_steps(void)
             RUN("two eyes as layers have histories of their own, in parts of textures as in textures made anew", eyes);
             RUN("formats of targets are those that rows name", formats);
             RUN("every chain ends with its result, or on the picture", results);
+            RUN("at 1920x1080 hsao has three passes and textures of 12.4 MB, hsao-history of 43.9 MB", megabytes);
             RUN("every chain of one camera and one layer has steps and textures for which there is room",
                 room_for_steps);
             RUN("chains by chance are refused, or draw without an error", random_chains);

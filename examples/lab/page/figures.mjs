@@ -2,7 +2,7 @@
    from the records of make chart, seeds, light, stability, papers, cost and cost-peers.
 
       node examples/lab/page/figures.mjs [report]
-      node examples/lab/page/figures.mjs --csv [FOLDER]       README's charts alone, of the csv in examples/docs/figures
+      node examples/lab/page/figures.mjs --csv [FOLDER]       README's charts and the tables alone, of the csv there
 
    A full run replaces its own parts of the page in examples/docs, and no others. A quick run's page lies beside the
    records. Runs of some scenes, methods or papers (SCENE, METHOD, PAPER) change nothing. If a record cannot be read:
@@ -10,7 +10,7 @@
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs';
 import { renameSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { resolve } from 'node:path';
+import { basename, resolve } from 'node:path';
 import vm from 'node:vm';
 
 const { ssgi_report: report, ssgi_record } = createRequire(import.meta.url)('./report.js');
@@ -396,13 +396,14 @@ function judged_tables(text, all) {
         return mark + written.join('\n');
     });
 }
-function rewrite_tables() {
+function rewrite_tables(into) {
     for (const path of ['README.md', `${docs}/BENCH.md`])
         if (existsSync(path))
-            write(path, judged_tables(readFileSync(path, 'utf8'), found(report.records.chart, 'seeds')));
+            write(into ? `${into}/${basename(path)}` : path,
+                  judged_tables(readFileSync(path, 'utf8'), found(report.records.chart, 'seeds')));
 }
 
-/* Draws README's charts anew, from the csv of the newest full runs. */
+/* Draws README's charts and writes the tables anew, from the csv of the newest full runs. */
 async function redraw(into) {
     const path = name => `${docs}/figures/${name}.csv`,
         of = (table, name) => ({ table, csv: readFileSync(path(name), 'utf8') });
@@ -410,6 +411,7 @@ async function redraw(into) {
     ssgi_record({ name: 'chart', entries: [of('ambient', 'chart'), of('seeds', 'seeds')] });
     for (const name of ['cost', 'cost-peers']) ssgi_record({ name, entries: [of('cost', name)] });
     if (existsSync(path('quiet'))) ssgi_record({ name: 'quiet', entries: [of('quiet', 'quiet')] });
+    rewrite_tables(drawn);
     await draw(into);
 }
 /* Draws README's chart: error by two clocks, and the error of fine detail, one below the other, so that a phone shows
