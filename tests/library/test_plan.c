@@ -302,6 +302,22 @@ static void refused(void)
           "nothing becomes a desc");
 }
 
+/* Checks the limits of the numbers of surfels and of splats: 0 and 1e18, both included. */
+static void counts(void)
+{
+    static const double good[] = { 0, 1e18 }, bad[] = { -1e-9, 1.1e18, (double)NAN };
+    for (int k = 0; k < 10; ++k) {
+        ssgi_plan_scene s = { .error = 0.1f };
+        const int is_good = k / 2 < 2;
+        const char *why = "";
+        ssgi_plan plan;
+        *(k % 2 ? &s.surfels : &s.splats) = is_good ? good[k / 2] : bad[k / 2 - 2];
+        CHECK(ssgi_plan_make(&plan, &s, &why) == (is_good ? SSGI_OK : SSGI_BAD_ARGUMENT)
+                  && (is_good || !strncmp(why, "scene.surfels, .splats: ", 24)),
+              "%g surfels and %g splats: \"%s\"", s.surfels, s.splats, why);
+    }
+}
+
 /* Checks that the kit draws the passes of a chain with the same shaders, except for the frame's format. */
 static void draws(const kit_run *run, const ssgi_gl_chain *chain, int i)
 {
@@ -541,6 +557,7 @@ void test_plan(void)
     RUN("plan: relative errors are those of an image without occlusion; the next choices are the next", relative);
     RUN("plan: predicted errors and costs are what the table's numbers come to by hand", by_hand);
     RUN("plan: of nothing there is no desc", refused);
+    RUN("plan: there may be from 0 to 1e18 surfels and splats, and no other number of them", counts);
     RUN("plan: the kit draws every choice as ssgi_gl_plan has it, by the same shaders", drawable);
     RUN("plan: a choice filters as the preset of its method does", as_named);
     RUN("plan: survey and calibration find what the truth says", measured);
