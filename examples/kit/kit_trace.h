@@ -119,7 +119,8 @@ static inline void kit_mirror(const float d[3], const float n[3], float mirrored
     for (int i = 0; i < 3; ++i) mirrored[i] = d[i] - along * n[i];
 }
 
-/* Finds what a pixel's ray, which it also returns, meets between the camera's planes. 0: nothing. */
+/* Traces a pixel's ray, which it also returns, to the first surface between the near and the far plane, as these cut
+   the G-buffer. Returns 0 if there is none. */
 int    kit_camera_hit(ssgi_hit *hit, float origin[3], float direction[3], const ssgi_trace *trace,
                       const kit_camera *camera, int x, int y);
 void   kit_place_of(const kit_mesh *mesh, const ssgi_hit *hit, const float direction[3], kit_place *at);

@@ -9,11 +9,12 @@
 
 enum { PLACES = 8000, PLACE_RAYS = 64, LIGHT_PLACES = 3000, LIGHT_RAYS = 768 };
 
-/* Indices of images from which a plan is made: ambient visibility of five kinds; slabs if scene or frame have them. */
-enum { HSAO, HSAO_FAST, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
-static const char *const pictures[PICTURES][2] = { { "hsao", "thickness=width" }, { "hsao-fast", "" },
-                                                   { "hsao-best", "thickness=width" },
-                                                   { "hsao", "thickness=solid" }, { "hsao", "thickness=slabs" } };
+/* Indices of images from which a plan is made: ambient visibility of five kinds. A frame without slabs has the first
+   three. Only a calibration, which needs a scene, reads the last one. */
+enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, HSAO_FAST, PICTURES };
+static const char *const pictures[PICTURES][2] = { { "hsao", "thickness=width" }, { "hsao-best", "thickness=width" },
+                                                   { "hsao", "thickness=solid" }, { "hsao", "thickness=slabs" },
+                                                   { "hsao-fast", "" } };
 
 /* Surveys the images, without pixels that show no surface. */
 static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count, const float *z, kit_error *err)
@@ -158,9 +159,8 @@ static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame
     kit_image_free(&direct);
     /* otherwise no pixel has light */
     if (isfinite(error[0]))
-        *calibration =
-            (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2], (float)error[3],
-                                (float)error[4] };
+        *calibration = (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2], (float)error[3],
+                                           (float)error[4] };
     return 0;
 }
 
@@ -214,7 +214,8 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
                      kit_error *err)
 {
     const kit_world dark = { world->scene, NULL };
-    const int slabs = world->scene || g->slabs, count = slabs ? PICTURES : HSAO_SLABS;
+    const int slabs = world->scene || g->slabs,
+              count = world->scene ? PICTURES : slabs ? HSAO_FAST : HSAO_SLABS;
     kit_image frame, picture[PICTURES];
     memset(s, 0, sizeof *s);
     s->wanted = wanted;
