@@ -320,6 +320,7 @@ static void names_of_methods(void)
         { "hsao,steps", NULL, "name: must be NAME[,PRESET]" }, { "hsao,,best", NULL, "name: must be NAME[,PRESET]" },
         { "hsao,pass=1", NULL, "name: there is no such field" }, { NULL, NULL, "name: must not be NULL" }
     };
+    static const float oblique[16] = { 1, 0, 0.1f, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 };
     ssgi_view view = { .width = 0 };
     ssgi_gl_frame frame;
     const char *why = "";
@@ -340,6 +341,16 @@ static void names_of_methods(void)
     CHECK(!ssgi_gl_steps_of(NULL, 0, &frame, "hsoa", &view, 1, &why) && !strncmp(why, "name: ", 6), "%s", why);
     CHECK(!ssgi_gl_steps_of(NULL, 0, NULL, "hsao", &view, 1, &why) && !strncmp(why, "frame: ", 7), "%s", why);
     CHECK(!memcmp(&frame, &was, sizeof frame), "a refusal changes the frame");
+    CHECK(ssgi_view_from_projection(&view, oblique, SSGI_CLIP_GL, 64, 32, NULL) == SSGI_OK, "no view");
+    ssgi_gl_chain by_hand;
+    ssgi_gl_chain_of(&by_hand, "hsao", NULL);
+    by_hand.width = 64, by_hand.height = 32;
+    by_hand.desc.input.oblique = by_hand.lights.input.oblique = 1;
+    ssgi_gl_step got[SSGI_GL_MAX_STEPS], want[SSGI_GL_MAX_STEPS];
+    memset(got, 0, sizeof got), memset(want, 0, sizeof want);
+    const int count = ssgi_gl_steps(want, SSGI_GL_MAX_STEPS, &by_hand, &why);
+    CHECK(count && ssgi_gl_steps_of(got, SSGI_GL_MAX_STEPS, &frame, "hsao", &view, 1, &why) == count
+              && frame.radius == 1.0f && !memcmp(got, want, sizeof got), "an oblique view gives other steps: %s", why);
     /* A name may ask for functions of one's own, which the chain then lacks. */
     ssgi_gl_chain own;
     CHECK(ssgi_gl_chain_of(&own, "hsao,depth=custom", &why) == SSGI_OK && !own.desc.shader.fetch, "%s", why);

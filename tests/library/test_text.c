@@ -261,7 +261,7 @@ static void placed(ssgi_gl_desc *d, int number)
 
 /* Adds every variant in a desktop dialect, an ES one or Vulkan's, in turn; with T_ALL in all three, so that each choice
    meets each dialect. A pass with a vertex stage of its own is added with all stages; the other passes' vertex stage
-   once for each dialect; every toolbox in every dialect. */
+   once for each dialect; every toolbox in every dialect. Of every fourth variant the compute stage is added, too. */
 static void speak(void)
 {
     for (int i = 0; i < 3 * variants; ++i) {
@@ -275,6 +275,8 @@ static void speak(void)
         placed(&d, first);
         speak_once(&d, has_vertices(&d) ? PROGRAM : SSGI_GL_STAGE_FRAGMENT);
         if (d.pass != SSGI_GL_PASS_AOF && toolbox_of(NULL, 0, &d)) speak_once(&d, TOOLBOX);
+        d.shader.compute = SSGI_GL_COMPUTE_ALL;
+        if ((t_all() || first % 4 == 0) && takes(&d, i % 3, first)) speak_once(&d, SSGI_GL_STAGE_COMPUTE);
     }
     for (int i = 0; i < SSGI_GL_DIALECTS; ++i) {
         const ssgi_gl_desc plain = { .shader.dialect = i }, field = { .pass = SSGI_GL_PASS_AOF, .shader.dialect = i };
@@ -321,13 +323,15 @@ static void *glslang_run(void *folder)
     return NULL;
 }
 
+/* the stages, then TOOLBOX */
+static const GLenum kinds[SSGI_GL_STAGES + 1] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER,
+                                                  GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER, GL_COMPUTE_SHADER,
+                                                  GL_FRAGMENT_SHADER };
+
 /* Links a program of d's stages, with the outputs that transform feedback keeps. */
 static GLuint linked(const ssgi_gl_desc *d)
 {
     static char text[SSGI_GL_STAGES][TEXT];
-    static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER,
-                                                  GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER,
-                                                  GL_COMPUTE_SHADER };
     const char *source[SSGI_GL_STAGES], *kept[3];
     GLenum stage[SSGI_GL_STAGES];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -360,7 +364,7 @@ static int compiles(const ssgi_gl_desc *d, int stage)
         return program != 0;
     }
     const char *source = source_of(text, d, stage);
-    GLuint shader = glCreateShader(stage == SSGI_GL_STAGE_VERTEX ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
+    GLuint shader = glCreateShader(kinds[stage]);
     glShaderSource(shader, 1, &source, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
@@ -638,33 +642,36 @@ static int reads(const char *text, const char *word)
 }
 
 /* Checks that in SPIR-V that glslang makes of all linked stages for Vulkan, the block and the textures of the fragment
-   stage have the sets and bindings of their rows. Returns how many. */
+   stage, or also the images of the compute stage, have the sets and bindings of their rows. Returns how many. */
 static int asked_of_spirv(const char *in, const ssgi_gl_desc *d, const char *name, int place)
 {
     static char text[TEXT];
     char path[100], line[300], *spirv;
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     size_t size;
-    int told = 0;
+    int told = 0, named = 0;
     for (int stage = SSGI_GL_STAGES - 1; stage >= 0; --stage) {
         snprintf(path, sizeof path, "%s/a.%s", in, endings[stage]);
         remove(path);
         if (*emit(text, d, stage)) CHECK(!kit_file_write(path, text, strlen(text), NULL), "%s: not written", path);
     }
-    emit(text, d, SSGI_GL_STAGE_FRAGMENT);
+    const int judged = d->shader.compute ? SSGI_GL_STAGE_COMPUTE : SSGI_GL_STAGE_FRAGMENT;
+    emit(text, d, judged);
     snprintf(line, sizeof line, "cd '%s' && glslangValidator -V a.* >log || ! cat log", in);
-    snprintf(path, sizeof path, "%s/frag.spv", in);
+    snprintf(path, sizeof path, "%s/%s.spv", in, endings[judged]);
     if (!CHECK(!system(line) && !kit_file_read(&spirv, &size, path, NULL), "%s: %s", describe(d), line)) return 0;
     const uint32_t *const word = (const uint32_t *)(void *)spirv;
     for (int k = 0, n = ssgi_gl_reflect(d, io, SSGI_GL_MAX_IO); k < n; ++k) {
-        const int texture = io[k].kind == SSGI_GL_IO_TEXTURE;
-        const char *const is = texture ? io[k].name : io[k].slot ? "ssgi_views" : "ssgi_frame";
-        if (texture ? !reads(text, is) : io[k].kind != SSGI_GL_IO_PARAM || !strstr(text, is)) continue;
+        const int block = io[k].kind == SSGI_GL_IO_PARAM, image = io[k].kind == SSGI_GL_IO_OUTPUT && d->shader.compute;
+        const char *const is = !block ? io[k].name : io[k].slot ? "ssgi_views" : "ssgi_frame";
+        if (!(io[k].kind == SSGI_GL_IO_TEXTURE ? reads(text, is) : (block || image) && strstr(text, is))) continue;
         const int at = place_in(word, size / 4, is), want = 100 * io[k].set + io[k].binding;
         CHECK(at == want && (!name || strcmp(is, name) || at == place), "%s: %s is at %d in SPIR-V, its row says %d",
               describe(d), is, at, want);
+        named += name && !strcmp(is, name);
         ++told;
     }
+    CHECK(!name || named, "%s: no row is named %s", describe(d), name);
     free(spirv);
     return told;
 }
@@ -678,7 +685,13 @@ static void places_in_spirv(void)
         { "ssao,dense=1", "t_ssgi_depth", 1 },
         { "ssao,block_set=1,views=1", "t_ssgi_views", 6 },
         { "ssao,block_set=1,views=1", "ssgi_views", 101 },
-        { "aof,texture_set=1,cap_table=1", "t_ssgi_cap", 107 } };
+        { "aof,texture_set=1,cap_table=1", "t_ssgi_cap", 107 },
+        { "ssao,compute=all", "o_ssgi_ao", 18 },
+        { "ssao,compute=all,output_set=2", "o_ssgi_ao", 218 },
+        { "ssao,compute=all,dense=1,depth=linear", "o_ssgi_ao", 3 },    /* behind the block, depth and normals */
+        { "ssao,compute=all,dense=1,depth=linear,texture_set=1", "o_ssgi_ao", 1 },
+        { "ssao,compute=all,dense=1,depth=linear,block_set=1", "o_ssgi_ao", 2 },
+        { "s3ho,compute=all,dense=1,depth=linear,block_set=1,output_set=2", "o_ssgi_sh1", 201 } };
     char folder[] = "/tmp/ssgi-text-XXXXXX", line[100];
     int told = 0, programs = 0;
     if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
@@ -827,8 +840,8 @@ static int reserved_words_read(void)
     static const char ours[] =
         " break const continue discard else false for if layout return struct true bool float int uint void vec2 vec3 "
         "vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 bvec2 bvec3 bvec4 mat2 mat3 mat4 mat3x4 in out inout uniform flat "
-        "precision highp patch sampler2D sampler2DArray sampler2DMS sampler2DMSArray usampler2D usampler2DArray "
-        "texture2DArray texture2DMS texture2DMSArray utexture2D utexture2DArray ";
+        "precision highp patch writeonly image2D uimage2D sampler2D sampler2DArray sampler2DMS sampler2DMSArray "
+        "usampler2D usampler2DArray texture2DArray texture2DMS texture2DMSArray utexture2D utexture2DArray ";
     char path[4096], line[256], word[64];
     size_t used = 1;
     snprintf(path, sizeof path, "%s/tests/library/reserved.txt", t_root);
@@ -1046,6 +1059,21 @@ static void images_of_gles(void)
         if (images > most) most = images;
     }
     CHECK(most == 4, "the most images are %d", most);
+}
+
+/* Checks that the name of each dialect begins with the version that its texts have. */
+static void names_of_dialects(void)
+{
+    static char text[TEXT];
+    ssgi_gl_desc d = { .pass = SSGI_GL_PASS_SSAO };
+    for (int i = 0; i < SSGI_GL_DIALECTS; ++i) {
+        const char *const name = ssgi_gl_dialect_name(i);
+        d.shader.dialect = i;
+        const int version = atoi(emit(text, &d, SSGI_GL_STAGE_VERTEX) + strlen("#version "));
+        CHECK(name && version == (i == SSGI_GL_DIALECT_VULKAN ? 450 : atoi(name)),
+              "dialect %s begins with %.16s", name ? name : "NULL", text);
+    }
+    CHECK(!ssgi_gl_dialect_name(SSGI_GL_DIALECTS) && !ssgi_gl_dialect_name(-1), "there are more names than dialects");
 }
 
 /* Checks the defaults of a frame. */
@@ -1281,6 +1309,7 @@ void test_text(void)
     RUN("the same desc gives the same bytes, under any locale", same_bytes);
     RUN("every bad field is named, and what was given stays untouched", sentences);
     RUN("no compute stage of GLES has more than 4 images", images_of_gles);
+    RUN("each dialect is named by its version", names_of_dialects);
     RUN("a frame has its defaults", frames);
     RUN("what is off leaves nothing: every name that a text declares is used, in functions that stand alone, too",
         closed);
