@@ -4,6 +4,7 @@
     make failures ONLY=word       only prints the rows with that word in their name
 
 Figures are RMSE against truth unless stated otherwise. Scenes are drawn small."""
+import csv
 import math
 import os
 import random
@@ -23,6 +24,10 @@ SIZE = "--size 480x270"
 def said(program, line):
     at = ROOT if program == STABILITY else None  # causes.csv is read from there
     return subprocess.run([program] + line.split(), check=True, capture_output=True, text=True, cwd=at).stdout
+
+
+def table(text):
+    return list(csv.DictReader(text.splitlines()))
 
 
 def channel(path, name):
@@ -53,12 +58,11 @@ def scored(scene, ways, truth=""):
 def swept(cause, *methods):
     """Returns the figure that build/stability prints for each method, or for what stands beside them."""
     asked = "".join(" --method " + m for m in methods if m != "beside")
-    lines = said(STABILITY, "--quick --out build/failures/stability --cause %s%s" % (cause, asked)).splitlines()
-    for head, row in zip(lines, lines[1:]):
-        if row.startswith(cause + " "):
-            figures = dict(zip(head.split(), row.split()))
-            return [("%s: %s" % (cause, m), figures[m]) for m in methods]
-    return [(cause, line.split(", ", 1)[1].rstrip(";")) for line in lines if line.startswith(cause + ",")]
+    rows = table(said(STABILITY, "--quick --out build/failures/stability --cause %s%s" % (cause, asked)))
+    figures = {row["method"]: row["number"] for row in rows}
+    if methods:
+        return [("%s: %s" % (cause, m), figures[m]) for m in methods]
+    return [(cause, rows[0]["what"] + ": " + "; ".join(" ".join(f) for f in figures.items()))]
 
 
 def slabs(count):
@@ -144,8 +148,9 @@ def shining(spark, ways):
 
 def moving():
     ways = "".join(" --method hsao" + w for w in ("", "-best", "-history"))
-    lines = said(STABILITY, "--moves --scene room" + ways).splitlines()
-    return [(line.split()[0], ", ".join(line.split()[1:])) for line in lines if line.startswith("  hsao")][:4]
+    digits = {"filling": 5, "filled": 5, "error": 4, "over alone": 3}
+    for row in table(said(STABILITY, "--moves --scene room" + ways)):
+        yield row["method"], ", ".join("%.*f" % (n, float(row[key])) for key, n in digits.items())
 
 
 ROWS = [

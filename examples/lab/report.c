@@ -35,44 +35,35 @@ static int begin(page *record, const options *o, const char *name, const char *c
 static int end(page *record, const options *o, const char *name, kit_error *err)
 {
     units_end();
-    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\npage: %s/index.html\n", kit_gl_name(), o->out);
+    printf("page: %s/index.html\n", o->out);
     return page_end(record, o->out, name, err);
 }
 
-/* Measures sections into a record and prints their text on stdout. */
-static int sections(FILE *record, const section *const *c, int count, const options *o, kit_error *err)
-{
-    for (int k = 0; k < count; ++k) {
-        if (section_chart(record, c[k], o, err)) return -1;
-        section_text(stdout, c[k]);
-    }
-    return 0;
-}
+/* A command. takes: bits of its options beside --out and --context. record: the command that its record names; of: its
+   sections; planned: 1 if the plan is charted behind them; ahead: runs before there is a GL context. */
+enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, DRAWN = 64, SOME = 128, MOST_PARTS = 6 };
+typedef struct command command;
+struct command {
+    const char *name, *about;
+    int takes;
+    int (*run)(const command *c, const options *o, kit_error *err), (*ahead)(const options *o, kit_error *err);
+    const char *record;
+    const section *of[MOST_PARTS];
+    int planned;
+};
 
-static int units_of(const section *const *c, int count, const options *o)
-{
-    int units = 0;
-    for (int k = 0; k < count; ++k) units += section_units(c[k], o);
-    return units;
-}
-
-/* Makes a record of that name: measures sections, and the plan if planned is 1. */
-static int record_of(const char *name, const char *command, const section *const *c, int count, int planned,
+/* Makes the record of sections that have rows, and of the plan if planned is 1. */
+static int record_of(const char *name, const char *record_as, const section *const *c, int count, int planned,
                      const options *o, kit_error *err)
 {
     page record;
-    units_begin(o, units_of(c, count, o));
-    return begin(&record, o, name, command, err) || sections(record.file, c, count, o, err)
-                   || (planned && plan_chart(record.file, o, err)) || end(&record, o, name, err)
-               ? -1
-               : 0;
-}
-
-static int demo(const options *o, kit_error *err)
-{
-    static const section *const all[] = { &ao_demo, &lit_demo, &fields_demo, &deep_demo };
-    if (o->mesh) ao_demo_of(o->mesh);
-    return record_of("demo", "make demo", all, o->mesh ? 1 : COUNT(all), 0, o, err);
+    int units = 0;
+    for (int k = 0; k < count; ++k) units += section_units(c[k], o);
+    units_begin(o, units);
+    if (begin(&record, o, name, record_as, err)) return -1;
+    for (int k = 0; k < count; ++k)
+        if (section_units(c[k], o) && section_chart(record.file, c[k], o, err)) return -1;
+    return (planned && plan_chart(record.file, o, err)) || end(&record, o, name, err) ? -1 : 0;
 }
 
 /* Fails if the option --method names no known method. */
@@ -91,26 +82,17 @@ static int check_asked(const options *o, kit_error *err)
                : 0;
 }
 
-/* Makes the chart. With --scene it has ambient occlusion alone; with --method neither seeds nor the plan. */
-static int chart(const options *o, kit_error *err)
+/* Charts a command's sections: of a mesh or of scenes ambient occlusion alone, and by --method no whole chart's seeds
+   and plan. */
+static int chart(const command *c, const options *o, kit_error *err)
 {
-    static const section *const all[] = { &ao_chart, &lit_chart, &fields_chart, &deep_chart, &seeds_chart };
-    const int count = o->scenes ? 1 : o->method ? COUNT(all) - 1 : COUNT(all), first = !ao_entries(o);
-    if (check_asked(o, err)) return -1;
-    return record_of("chart", "make chart%s", all + first, count - first, count == COUNT(all), o, err);
+    const int alone = o->mesh || o->scenes, whole = c->takes & SCENES && c->takes & DRAWN;
+    int count = 0;
+    while (c->of[count] && !(count && alone) && !(whole && o->method && c->of[count] == &seeds_chart)) ++count;
+    if (o->mesh) ao_demo_of(o->mesh);
+    const int planned = c->planned && !alone && !o->method;
+    return check_asked(o, err) ? -1 : record_of(c->name, c->record, c->of, count, planned, o, err);
 }
-
-/* Each of these makes the record of one section of the chart. */
-static int one(const section *c, const char *name, const options *o, kit_error *err)
-{
-    char command[96];
-    snprintf(command, sizeof command, "build/report %s%%s", name);
-    return check_asked(o, err) ? -1 : record_of(name, command, &c, 1, 0, o, err);
-}
-static int ambient_part(const options *o, kit_error *err) { return one(&ao_chart, "ambient", o, err); }
-static int lit_part(const options *o, kit_error *err) { return one(&lit_chart, "lit", o, err); }
-static int fields_part(const options *o, kit_error *err) { return one(&fields_chart, "fields", o, err); }
-static int deep_part(const options *o, kit_error *err) { return one(&deep_chart, "deep", o, err); }
 
 /* Measures scenes by seed ahead, several at once, as they are not timed. */
 static int chart_ahead(const options *o, kit_error *err)
@@ -118,68 +100,66 @@ static int chart_ahead(const options *o, kit_error *err)
     return o->scenes || o->method ? 0 : seeds_ahead(o, err) || plan_ahead(o, err) ? -1 : 0;
 }
 
-/* Makes the chart of light on every pair of a scene and a probe. */
-static int light(const options *o, kit_error *err)
-{
-    const section *const pairs = &pairs_chart;
-    return check_asked(o, err) ? -1 : record_of("light", "make light%s", &pairs, 1, 0, o, err);
-}
-
-static int seeds(const options *o, kit_error *err)
+static int seeds(const command *of, const options *o, kit_error *err)
 {
     const int tuned = o->first >= 0 && o->first < SEEDS_JUDGED;
     section own = seeds_chart;
     const section *const c = &own;
-    char command[96];
+    char shown[96];
     const int units = section_units(&own, o);
     if (!units) return kit_fail(err, "--method %s: no row of the charts is of such a method", o->method);
     if (tuned) own.csv = "seeds-fit.csv";
-    snprintf(command, sizeof command, "build/report seeds%%s");
+    snprintf(shown, sizeof shown, "%s", of->record);
     if (o->first >= 0)
-        snprintf(command + strlen(command), sizeof command - strlen(command), " --from %d --count %d", o->first,
-                 units);
-    return record_of(tuned ? "seeds-fit" : "seeds", command, &c, 1, 0, o, err);
-}
-
-/* Makes the chart of the plan, on views that it was not fitted on. */
-static int plan(const options *o, kit_error *err)
-{
-    return record_of("plan", "build/report plan", NULL, 0, 1, o, err);
+        snprintf(shown + strlen(shown), sizeof shown - strlen(shown), " --from %d --count %d", o->first, units);
+    return record_of(tuned ? "seeds-fit" : "seeds", shown, &c, 1, 0, o, err);
 }
 
 /* Makes the record of the tables and figures of five papers, beside those of comparable scenes drawn here. */
-static int papers(const options *o, kit_error *err)
+static int papers(const command *c, const options *o, kit_error *err)
 {
     page record;
     if (!papers_units(o))
         return kit_fail(err, "--paper %s: there is none that begins so (\"HSAO08 Table 1\")", o->paper);
     if (o->quick) stage_thrift = PAPERS_THRIFT;
     units_begin(o, papers_units(o));
-    if (begin(&record, o, "papers", "make papers%s", err) || papers_chart(record.file, o, err)) return -1;
-    papers_text(stdout, o);
-    return end(&record, o, "papers", err);
+    return begin(&record, o, c->name, c->record, err) || papers_chart(record.file, o, err)
+                   || end(&record, o, c->name, err)
+               ? -1
+               : 0;
 }
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
-/* Bits for a command's options beside --out and --context. ahead: runs before there is a GL context; NULL: none. */
-enum { MESH = 1, QUICK = 2, SCENES = 4, METHOD = 8, PAPER = 16, SEEDS = 32, DRAWN = 64, SOME = 128 };
-typedef int step(const options *o, kit_error *err);
-static const struct command { const char *name, *about; int takes; step *run, *ahead; } commands[] = {
-    { "demo", "Images and tables of every method beside the ground truth, in two minutes.", MESH, demo, NULL },
-    { "chart", "Speed against accuracy, in an hour: chart*.csv.", QUICK | SCENES | METHOD | DRAWN, chart,
-      chart_ahead },
-    { "ambient", "Its part on ambient occlusion: chart.csv.", QUICK | SCENES | METHOD, ambient_part, NULL },
-    { "lit", "Its part on light: chart-lit.csv.", QUICK | METHOD, lit_part, NULL },
-    { "fields", "Its part on ambient occlusion fields: chart-aof.csv.", QUICK | METHOD, fields_part, NULL },
-    { "deep", "Its part on deep screen space: chart-deep.csv.", QUICK | METHOD, deep_part, NULL },
-    { "light", "Light on every pair of a scene and a probe: chart-pairs.csv.", QUICK | METHOD, light, NULL },
+static int fit(const command *c, const options *o, kit_error *err)
+{
+    (void)c;
+    return plan_fit(o, err);
+}
+
+static const command commands[] = {
+    { "demo", "Images and tables of every method beside the ground truth, in two minutes.", MESH, chart, NULL,
+      "make demo", { &ao_demo, &lit_demo, &fields_demo, &deep_demo }, 0 },
+    { "chart", "Speed against accuracy, in an hour: chart*.csv.", QUICK | SCENES | METHOD | DRAWN, chart, chart_ahead,
+      "make chart%s", { &ao_chart, &lit_chart, &fields_chart, &deep_chart, &seeds_chart }, 1 },
+    { "ambient", "Its part on ambient occlusion: chart.csv.", QUICK | SCENES | METHOD, chart, NULL,
+      "build/report ambient%s", { &ao_chart }, 0 },
+    { "lit", "Its part on light: chart-lit.csv.", QUICK | METHOD, chart, NULL, "build/report lit%s",
+      { &lit_chart }, 0 },
+    { "fields", "Its part on ambient occlusion fields: chart-aof.csv.", QUICK | METHOD, chart, NULL,
+      "build/report fields%s", { &fields_chart }, 0 },
+    { "deep", "Its part on deep screen space: chart-deep.csv.", QUICK | METHOD, chart, NULL, "build/report deep%s",
+      { &deep_chart }, 0 },
+    { "light", "Light on every pair of a scene and a probe: chart-pairs.csv.", QUICK | METHOD, chart, NULL,
+      "make light%s", { &pairs_chart }, 0 },
     { "seeds", "Ambient occlusion on scenes by seed and on models: seeds.csv.", QUICK | METHOD | SEEDS | DRAWN, seeds,
-      seeds_ahead },
-    { "papers", "The papers' tables and figures, in some minutes: papers.csv.", QUICK | PAPER, papers, NULL },
-    { "fit", "The errors that build/fit fits the planner's table to: plan-fit.csv.", QUICK | SOME, plan_fit,
-      plan_fit_ahead },
-    { "plan", "The planner on views that it was not fitted on: plan.csv.", QUICK | SOME, plan, plan_ahead }
+      seeds_ahead, "build/report seeds%s", { NULL }, 0 },
+    { "papers", "The papers' tables and figures, in some minutes: papers.csv.", QUICK | PAPER, papers, NULL,
+      "make papers%s", { NULL }, 0 },
+    { "fit", "The errors that build/fit fits the planner's table to: plan-fit.csv.", QUICK | SOME, fit, plan_fit_ahead,
+      "", { NULL }, 0 },
+    { "plan", "The planner on views that it was not fitted on: plan.csv.", QUICK | SOME, chart, plan_ahead,
+      "build/report plan", { NULL }, 1 }
 };
 /* The options. of: the commands that take one; 0: all. */
 #define TO(member) .at = offsetof(options, member)
@@ -213,12 +193,12 @@ static int helped(int argc, char **argv)
     static char text[COUNT(arguments)][320];
     kit_option help[1 + COUNT(commands) + COUNT(arguments) + 1] = {
         { .about = "Measures the methods, and adds a page of the command's name to index.html." } }, *to = help + 1;
-    for (const struct command *c = commands; c < commands + COUNT(commands); ++c)
+    for (const command *c = commands; c < commands + COUNT(commands); ++c)
         *to++ = (kit_option){ .name = c->name, .about = c->about };
     for (int k = 0; k < COUNT(arguments); ++k) {
         const struct argument *a = arguments + k;
         int used = snprintf(text[k], sizeof *text, "%s%s", a->option.about, a->of ? " For" : "");
-        for (const struct command *c = commands; c < commands + COUNT(commands) && a->of; ++c)
+        for (const command *c = commands; c < commands + COUNT(commands) && a->of; ++c)
             if (c->takes & a->of) used += snprintf(text[k] + used, sizeof *text - (size_t)used, " %s,", c->name);
         if (a->of) text[k][used - 1] = '.';
         *to = a->option;
@@ -227,7 +207,7 @@ static int helped(int argc, char **argv)
     return kit_help(argc, argv, usage, help);
 }
 
-static int parse(options *o, const struct command *c, int argc, char **argv, kit_error *err)
+static int parse(options *o, const command *c, int argc, char **argv, kit_error *err)
 {
     kit_option table[COUNT(arguments) + 1] = { { NULL } }, *to = table;
     for (const struct argument *a = arguments; a < arguments + COUNT(arguments); ++a)
@@ -236,21 +216,21 @@ static int parse(options *o, const struct command *c, int argc, char **argv, kit
     return kit_options(o, table, argc - 1, argv + 1, NULL, err);
 }
 
-static int run(const struct command *c, int argc, char **argv, kit_error *err)
+static int run(const command *c, int argc, char **argv, kit_error *err)
 {
     options o;
     if (parse(&o, c, argc, argv, err)) return -1;
     if (o.quick) stage_thrift = QUICK_THRIFT;
     units_load();
     return folder_make(o.out, err) || (c->ahead && c->ahead(&o, err))
-                   || kit_gl_open(o.context, err) || c->run(&o, err)
+                   || kit_gl_open(o.context, err) || c->run(c, &o, err)
                ? -1
                : kit_streams_close(err);
 }
 
 int main(int argc, char **argv)
 {
-    const struct command *c = commands;
+    const command *c = commands;
     kit_error err = { "" };
     if (helped(argc, argv)) return 0;
     kit_streams_open();

@@ -45,7 +45,6 @@ static void holds_still(void)
     if (fewer.kind == FOLLOWS && fewer.of & KEPT_LIGHT) fewer.value[0] = fewer.value[3], fewer.value[1] = 0;
     if (!CHECK(!sweep(&r, &fewer, &o, now->name, &err), "%s", err.text)) return;
     for (int i = 0; i < bounds; ++i) bounded(&r, bound[i].label, bound[i].least, bound[i].most);
-    for (int k = 0; k < r.curves; ++k) kit_image_free(&r.curve[k].worst);
 }
 
 void test_stability(void)

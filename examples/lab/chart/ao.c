@@ -7,7 +7,6 @@
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
-#include "lab/page/table.h"
 
 /* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
@@ -38,9 +37,8 @@ static int measure_planned(FILE *record, row *rows, stage *s, const entry *entri
 
 void ao_demo_of(const char *path) { *view_named("bunny") = (view){ .name = path, .path = path, .ground = 1 }; }
 
-static found demo_found[MOST_SETS];
 const section ao_demo = { .name = "ao", .sets = "ao-demo", .width = 800, .height = 450, .measure = measure_planned,
-                          .range = 0.5, .found = demo_found };
+                          .range = 0.5 };
 
 /* ---- >>peers: other libraries' effects beside the library's rows ------------------------------------------------- */
 
@@ -55,7 +53,6 @@ static const char *peers_note(void)
 /* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
 enum { AO_GIVENS = 2 };                           /* rows of the given pictures: the floor and no AO */
-static found chart_found[MOST_SCENES];
 static int scenes;                               /* of the chart, with those whose package is missing */
 
 int ao_entries(const options *o)
@@ -135,27 +132,5 @@ static void head(FILE *record, const options *o)
     }
 }
 
-/* Prints the chart's table of ambient occlusion: means over all scenes. */
-static void text(FILE *f)
-{
-    const row *rows[MOST_SCENES];
-    row mean[MOST_SET_ROWS];
-    int shown = 0, count = MOST_SET_ROWS;
-    for (int k = 0; k < scenes; ++k) {
-        const found *of = &chart_found[k];
-        if (of->count && of->count < count) count = of->count;
-        if (of->count) rows[shown++] = of->row;
-    }
-    if (!shown) return;
-    for (int i = 0; i < count; ++i) {
-        for (int k = 0; k < shown && i; ++k) ++rows[k];
-        table_mean(&mean[i], rows, shown);
-    }
-    fprintf(f, "ambient occlusion, mean of %d scenes\n", shown);
-    table_text(f, mean, count);
-    fprintf(f, "%s\n", peers_note());
-}
-
 const section ao_chart = { .name = "ao", .csv = "chart.csv", .title = "Ambient occlusion", .kind = "ambient",
-                           .parts = "Scene by scene", .units = units, .unit = unit, .head = head, .text = text,
-                           .found = chart_found };
+                           .parts = "Scene by scene", .units = units, .unit = unit, .head = head };

@@ -101,10 +101,8 @@ static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, k
     return 0;
 }
 
-static found demo_found[MOST_SETS], chart_found[MOST_SETS];
 const section fields_demo = { .name = "aof", .sets = "fields-demo", .width = 320, .height = 180, .measure = measure,
-                              .probe_times = 8, .probe_stride = 13, .range = 0.2, .crop_times = 3, .seen = dimmed,
-                              .found = demo_found };
+                              .probe_times = 8, .probe_stride = 13, .range = 0.2, .crop_times = 3, .seen = dimmed };
 const section fields_chart = { .name = "fields", .csv = "chart-aof.csv", .sets = "fields", .width = 240, .height = 135,
                                .measure = measure, .method = "aof", .own = bakes_of, .probe_times = 8,
-                               .probe_stride = 13, .found = chart_found };
+                               .probe_stride = 13 };

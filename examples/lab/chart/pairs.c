@@ -31,7 +31,7 @@ enum { SCENES = COUNT(scenes), PROBES = COUNT(probes), PAIRS = SCENES * PROBES, 
 static const char scalar_label[] = "true visibility times irradiance", open_label[] = "no occlusion",
                   noise_label[] = "the truth's own noise";
 
-static found found_pairs[PAIRS];
+static char names[PAIRS][64];
 
 /* Returns whether the package's probe can be read: OpenEXR's core decodes its compression from version 3.2 on. */
 static int interior_is_there(void)
@@ -72,11 +72,11 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     entry entries[MOST_ENTRIES];
     kit_image picture[MOST_ENTRIES], visible;
     const int count = units_chosen(entries, "pairs", o);
-    char *const name = found_pairs[k].name;
+    char *const name = names[k];
     stage s;
     if (!count || !there(o, k)) return 0;
     if (!rows) return 1;
-    snprintf(name, sizeof found_pairs->name, "%s-%s", v.name, probes[k % PROBES].name);
+    snprintf(name, sizeof *names, "%s-%s", v.name, probes[k % PROBES].name);
     v.name = name;
     v.lit = &probes[k % PROBES].lit[scenes[k / PROBES].boxes];
     if (stage_load(&s, &v, err) || stage_look(&s, &v, PAIR_WIDTH, PAIR_HEIGHT, err)) return -1;
@@ -103,13 +103,13 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     return count + BESIDE;
 }
 
-static void write_csv(FILE *f, const options *o)
+static void write_csv(FILE *f, const options *o, const found *all, int count)
 {
     (void)o;
     fputs("scene,probe,label,method,settings,relative_time,irradiance,irradiance_bias,share,pixels\n", f);
-    for (int k = 0; k < PAIRS; ++k)
-        for (int i = 0; i < found_pairs[k].count; ++i) {
-            const row *r = &found_pairs[k].row[i];
+    for (int k = 0; k < count; ++k)
+        for (int i = 0; i < all[k].count; ++i) {
+            const row *r = &all[k].row[i];
             fprintf(f, "\"%s\",\"%s\",\"%s\",\"%s\",\"%s\"", view_named(scenes[k / PROBES].view)->name,
                     probes[k % PROBES].name, r->label, r->method, r->settings);
             csv_figure(f, ",%.6g", r->relative);
@@ -129,12 +129,6 @@ static void head(FILE *record, const options *o)
                                "package " INTERIOR_PACKAGE);
 }
 
-static void text(FILE *f)
-{
-    fprintf(f, "\nLight on every pair of a scene and a probe: RMSE of irradiance over that of no occlusion\n");
-    section_spreads(f, &pairs_chart, PAIRS);
-}
-
 const section pairs_chart = { .name = "pair", .csv = "chart-pairs.csv", .kind = "pairs",
                               .title = "Light on every pair of a scene and a probe", .units = units, .unit = unit,
-                              .head = head, .write = write_csv, .text = text, .found = found_pairs };
+                              .head = head, .write = write_csv };

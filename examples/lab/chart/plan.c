@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 #include "lab/chart/planned.h"
-#include "lab/measure/csv.h"
 #include "lab/page/page.h"
 
 /* ---- >>judging --------------------------------------------------------------------------------------------------- */
@@ -165,7 +164,7 @@ static const char *const known_names[KNOWN] = { "with a calibration", "without a
                                                 "of a captured frame: survey without slabs, no surfels" };
 static const char *const set_names[SETS] = { "scenes", "by seed" };
 
-/* Writes the verdicts, and prints them. */
+/* Writes the verdicts. */
 static int plan_summary(FILE *record, const char *out, kit_error *err)
 {
     page table;
@@ -177,10 +176,6 @@ static int plan_summary(FILE *record, const char *out, kit_error *err)
             fprintf(table.file, "\"%s%s, %s%s\",%d,%d\n", set_names[k / KNOWN % SETS], way_names[k / KNOWN / SETS],
                     known_names[k % KNOWN], verdict_names[i], v->is[i], v->of[i]);
     }
-    fflush(table.file);
-    const csv all = csv_of(strdup(table.text), "plan-summary.csv");
-    puts("\nplan, on scenes that it was not fitted on");
-    csv_put(stdout, &all, "what,good,pairs", NULL, 1);
     return page_csv(record, "rows", &table, out, "plan-summary.csv", err);
 }
 

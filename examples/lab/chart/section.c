@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "lab/measure/spread.h"
 #include "lab/page/page.h"
 #include "lab/page/pictures.h"
 #include "lab/page/table.h"
@@ -179,13 +178,10 @@ static const char *title_of(const section *c, int k)
     return set_of(c->sets, k)->title;
 }
 
-/* Measures the k-th unit of a section and keeps its rows in c->found[k]. */
-static int find(FILE *record, const section *c, const options *o, int k, kit_error *err)
+/* Measures the k-th unit of a section and keeps its rows. */
+static int find(FILE *record, const section *c, const options *o, int k, found *f, kit_error *err)
 {
     static row rows[MOST_SET_ROWS];
-    found *f = &c->found[k];
-    free(f->row);
-    f->row = NULL;
     f->count = units_measure(record, o, c->name, k, unit_of(c), rows, err);
     if (f->count <= 0) return f->count;
     f->row = malloc((size_t)f->count * sizeof *rows);
@@ -200,17 +196,21 @@ int section_chart(FILE *record, const section *c, const options *o, kit_error *e
     const char *heading = NULL;
     int shown = 0;
     page csv, each;
+    found *const all = calloc((size_t)count, sizeof *all);
+    if (!all) return kit_fail(err, "out of memory");
     if (page_open(&csv, err) || page_open(&each, err)) return -1;
     for (int k = 0; k < count; ++k) {
         const int there = unit_of(c)(NULL, o, k, NULL, NULL);
         if (c->sets && there && heading != title_of(c, k))
             page_heading(each.file, 2, "%s", heading = title_of(c, k));
-        const int rows = find(each.file, c, o, k, err);
+        const int rows = find(each.file, c, o, k, &all[k], err);
         const char *const kind = c->sets && set_of(c->sets, k)->kind ? set_of(c->sets, k)->kind : "rows";
-        if (rows < 0 || (rows && c->sets && table_page(each.file, kind, c->found[k].row, rows, err))) return -1;
-        if (rows && !c->write) table_csv(csv.file, c->found[k].row, rows, !shown++);
+        if (rows < 0 || (rows && c->sets && table_page(each.file, kind, all[k].row, rows, err))) return -1;
+        if (rows && !c->write) table_csv(csv.file, all[k].row, rows, !shown++);
     }
-    if (c->write) c->write(csv.file, o);
+    if (c->write) c->write(csv.file, o, all, count);
+    for (int k = 0; k < count; ++k) free(all[k].row);
+    free(all);
     if (c->title) page_heading(record, 2, "%s", c->title);
     if (c->head) c->head(record, o);
     if (!c->csv) {
@@ -221,54 +221,4 @@ int section_chart(FILE *record, const section *c, const options *o, kit_error *e
     if (c->parts) page_heading(record, 2, "%s", c->parts);
     page_into(&each, record);
     return 0;
-}
-
-/* ---- >>text ------------------------------------------------------------------------------------------------------ */
-
-void section_text(FILE *f, const section *c)
-{
-    if (c->text) c->text(f);
-    const set *t;
-    for (int k = 0; !c->text && (t = set_of(c->sets, k)) != NULL; ++k)
-        table_titled(f, t->title ? t->title : t->about, c->found[k].row, c->found[k].count);
-}
-
-int section_fullest(const section *c, int count)
-{
-    int most = -1;
-    for (int k = 0; k < count; ++k)
-        if (c->found[k].row && (most < 0 || c->found[k].count > c->found[most].count)) most = k;
-    return most;
-}
-
-static int same(const row *a, const row *b)
-{
-    return !strcmp(a->scene, b->scene) && !strcmp(a->label, b->label) && !strcmp(a->method, b->method)
-        && !strcmp(a->settings, b->settings);
-}
-
-void section_alike(const row **out, const section *c, int count, const row *like)
-{
-    for (int k = 0; k < count; ++k) {
-        const found *f = &c->found[k];
-        out[k] = NULL;
-        for (int i = 0; f->row && i < f->count && !out[k]; ++i)
-            if (same(&f->row[i], like)) out[k] = &f->row[i];
-    }
-}
-
-void section_spreads(FILE *f, const section *c, int count)
-{
-    const int first = section_fullest(c, count);
-    for (int i = 0; first >= 0 && i < c->found[first].count; ++i) {
-        const row *rows[MOST_SEEDS], *like = &c->found[first].row[i];
-        double share[MOST_SEEDS];
-        char name[192];
-        section_alike(rows, c, count, like);
-        for (int k = 0; k < count; ++k) share[k] = rows[k] ? rows[k]->share : (double)NAN;
-        const spread all = spread_of(share, count);
-        snprintf(name, sizeof name, "%s%s%s", like->label, *like->settings ? " " : "", like->settings);
-        fprintf(f, "%-10.10s %-48.48s %6.3f +- %5.3f  median %6.3f  worst %6.3f  %s\n", like->scene, name, all.mean,
-                all.half, all.median, all.most, all.worst < 0 ? "" : c->found[all.worst].name);
-    }
 }

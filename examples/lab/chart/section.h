@@ -1,5 +1,5 @@
 /* section.h - a chart's sections. A section is a list of sets (sets.h). section.c measures sets, and writes a part of
-   the page, csv and text for each. The demo also shows pictures at full size. */
+   the page and csv for each. The demo also shows pictures at full size. */
 #ifndef LAB_SECTION_H
 #define LAB_SECTION_H
 
@@ -10,8 +10,8 @@
 enum { MOST_SET_ROWS = 128 };
 
 typedef struct section section;
-/* The rows of a set or a unit. name: of its scene; row NULL: it was not measured. */
-typedef struct found { char name[64]; row *row; int count; } found;
+/* The rows of a set or a unit; row NULL: it was not measured. */
+typedef struct found { row *row; int count; } found;
 
 struct section {
     const char *name, *csv;                /* names of units and of the csv; csv NULL: the record alone */
@@ -36,20 +36,13 @@ struct section {
     int (*units)(const options *o);
     measuring *unit;
     void (*head)(FILE *record, const options *o);
-    void (*write)(FILE *csv, const options *o);      /* writes the section's csv; NULL: the csv is that of table.h */
-    void (*text)(FILE *f);                           /* prints the section's text; NULL: a table for each set */
-    found *found;                                    /* room for the results */
+    /* Writes the section's csv from the rows of all units; NULL: the csv is that of table.h. */
+    void (*write)(FILE *csv, const options *o, const found *all, int count);
 };
 
-/* Returns how many units of a section are asked for. The next two measure the section, and print its text. */
+/* Returns how many units of a section are asked for. section_chart measures the section. */
 int  section_units(const section *c, const options *o);
 int  section_chart(FILE *record, const section *c, const options *o, kit_error *err);
-void section_text(FILE *f, const section *c);
-/* Prints for each row of the scene with the most rows: the mean and interval of its error over all scenes. */
-void section_spreads(FILE *f, const section *c, int count);
-/* Returns the scene with the most rows; -1: none. section_alike: a scene's row that is like the given one, or NULL. */
-int  section_fullest(const section *c, int count);
-void section_alike(const row **out, const section *c, int count, const row *like);
 
 /* Writes the text above a stage's pictures. If times is not 0, it names the truth's own error, measured at every
    stride-th pixel with so many times the truth's rays. */

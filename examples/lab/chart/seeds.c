@@ -294,18 +294,34 @@ static void row_csv(FILE *f, const place *p, const row *r, int fit)
     fputc('\n', f);
 }
 
-static found found_seeds[MOST_SEEDS];
-
-/* Writes the csv: one setting after the other, each on all scenes. */
-static void write_csv(FILE *f, const options *o)
+static int same(const row *a, const row *b)
 {
-    const int count = count_of(o), first = section_fullest(&seeds_chart, count);
+    return !strcmp(a->scene, b->scene) && !strcmp(a->label, b->label) && !strcmp(a->method, b->method)
+        && !strcmp(a->settings, b->settings);
+}
+
+/* Finds the row of each scene that is like the given one, or NULL. */
+static void alike(const row **out, const found *all, int count, const row *like)
+{
+    for (int k = 0; k < count; ++k) {
+        out[k] = NULL;
+        for (int i = 0; all[k].row && i < all[k].count && !out[k]; ++i)
+            if (same(&all[k].row[i], like)) out[k] = &all[k].row[i];
+    }
+}
+
+/* Writes the csv: one setting of the scene with the most rows after the other, each on all scenes. */
+static void write_csv(FILE *f, const options *o, const found *all, int count)
+{
+    int first = 0;
+    for (int k = 1; k < count; ++k)
+        if (all[k].count > all[first].count) first = k;
     fputs("seed,set,kind,what,label,method,settings,share,fitted,fitted_all,bias,noise_1,noise_3,noise_8,noise_20,"
           "error_1,error_3,error_8,error_20\n",
           f);
-    for (int i = 0; first >= 0 && i < found_seeds[first].count; ++i) {
-        const row *rows[MOST_SEEDS], *like = &found_seeds[first].row[i];
-        section_alike(rows, &seeds_chart, count, like);
+    for (int i = 0; i < all[first].count; ++i) {
+        const row *rows[MOST_SEEDS], *like = &all[first].row[i];
+        alike(rows, all, count, like);
         const int fit = fit_of_all(rows, count, like);
         for (int k = 0; k < count; ++k) {
             place p;
@@ -317,17 +333,6 @@ static void write_csv(FILE *f, const options *o)
 
 /* ---- >>section --------------------------------------------------------------------------------------------------- */
 
-static int scenes;                               /* scenes asked for, with those whose package is missing */
-
-static int units(const options *o)
-{
-    place p;
-    scenes = count_of(o);
-    for (int k = 0; k < scenes && place_of(&p, o, k); ++k)
-        memcpy(found_seeds[k].name, p.name, sizeof p.name);
-    return scenes;
-}
-
 static void head(FILE *record, const options *o)
 {
     page_paragraph(record,
@@ -336,20 +341,10 @@ static void head(FILE *record, const options *o)
                    "code %s. Models: of packages, seen as a seed says. %d x %d pixels, the truth %d rays at every "
                    "%dth pixel both ways. Shares: RMSE over that of no occlusion, so a pass above 1 is worse than "
                    "none. Noise: thousandths of visibility, between two phases, where a smooth surface is in shade.",
-                   scenes, SEEDS_JUDGED, *drawn_by(o) ? drawn_by(o) : "(none)", SEED_WIDTH / stage_thrift,
+                   count_of(o), SEEDS_JUDGED, *drawn_by(o) ? drawn_by(o) : "(none)", SEED_WIDTH / stage_thrift,
                    SEED_HEIGHT / stage_thrift, SEED_RAYS / (stage_thrift * stage_thrift), SEED_STRIDE);
     if (*peers_missing()) page_paragraph(record, "%s", peers_missing());
 }
 
-static void text(FILE *f)
-{
-    int out = 0;
-    for (int k = 0; k < scenes; ++k) out += !found_seeds[k].row;
-    fprintf(f, "\n%d scenes by seed: RMSE over that of no occlusion; %d left out for want of a package\n",
-            scenes - out, out);
-    section_spreads(f, &seeds_chart, scenes);
-}
-
 const section seeds_chart = { .name = "seed", .csv = "seeds.csv", .kind = "seeds", .title = "Scenes by seed",
-                              .units = units, .unit = unit, .head = head, .write = write_csv, .text = text,
-                              .found = found_seeds };
+                              .units = count_of, .unit = unit, .head = head, .write = write_csv };

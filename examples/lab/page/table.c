@@ -1,4 +1,4 @@
-/* table.c - writes rows as tables, with one list of columns for text, CSV and the page. Declared in table.h. */
+/* table.c - writes rows as tables, with one list of columns for CSV and the page. Declared in table.h. */
 #include "lab/page/table.h"
 #include <math.h>
 #include <string.h>
@@ -101,12 +101,6 @@ static int next_key(int c, int of)
     return -1;
 }
 
-static int next_column(int c, int of)
-{
-    do c = next_key(c, of); while (c >= 0 && !columns[c].head);
-    return c;
-}
-
 static double figure_of(const row *r, int c)
 {
     double v;
@@ -114,53 +108,7 @@ static double figure_of(const row *r, int c)
     return v;
 }
 
-static const char *cell(char out[32], const row *r, int c, const char *none)
-{
-    double v = figure_of(r, c);
-    if (isnan(v)) return none;
-    snprintf(out, 32, columns[c].sign ? "%+.*f" : "%.*f", columns[c].digits, v);
-    return out;
-}
-
-void table_mean(row *mean, const row *const *rows, int count)
-{
-    *mean = *rows[0];
-    mean->scene = "mean";
-    for (int c = 0; c < COUNT(columns); ++c) {
-        double sum = 0;
-        for (int i = 0; i < count; ++i) sum += figure_of(rows[i], c);
-        sum /= count;
-        memcpy((char *)mean + columns[c].offset, &sum, sizeof sum);
-    }
-}
-
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
-
-void table_text(FILE *f, const row *rows, int count)
-{
-    int label = 6, settings = 8;
-    char text[32];
-    for (int i = 0; i < count; ++i) {
-        int l = (int)strlen(rows[i].label), s = (int)strlen(table_settings(&rows[i]));
-        if (l > label) label = l;
-        if (s > settings) settings = s;
-    }
-    fprintf(f, "%-*s  %-*s", label, "method", settings, "settings");
-    for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, " %10s", columns[c].head);
-    fputc('\n', f);
-    for (int i = 0; i < count; ++i) {
-        fprintf(f, "%-*s  %-*s", label, rows[i].label, settings, table_settings(&rows[i]));
-        for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, " %10s", cell(text, &rows[i], c, "-"));
-        fputc('\n', f);
-    }
-}
-
-void table_titled(FILE *f, const char *title, const row *rows, int count)
-{
-    if (!count) return;
-    fprintf(f, "\n%s\n", title);
-    table_text(f, rows, count);
-}
 
 void table_csv(FILE *f, const row *rows, int count, int head)
 {

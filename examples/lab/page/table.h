@@ -1,4 +1,4 @@
-/* table.h - writes rows as tables: text, CSV, parts of a page. A row's member of says which columns it has. */
+/* table.h - writes rows as tables: CSV, parts of a page. A row's member of says which columns it has. */
 #ifndef LAB_TABLE_H
 #define LAB_TABLE_H
 
@@ -6,11 +6,6 @@
 #include "lab/measure/rows.h"
 
 const char *table_settings(const row *r);       /* the row's settings; "defaults" for a method without settings */
-void table_text(FILE *f, const row *rows, int count);
-/* Prints a table below a title, if there are rows. */
-void table_titled(FILE *f, const char *title, const row *rows, int count);
-/* Makes the mean of several rows, column by column, with the names of the first. */
-void table_mean(row *mean, const row *const *rows, int count);
 void table_csv(FILE *f, const row *rows, int count, int head);
 /* Adds a table of rows to a record, and once the names and the meanings of the columns. */
 int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error *err);

@@ -66,8 +66,3 @@ int papers_chart(FILE *record, const options *o, kit_error *err)
     for (int p = 0; p < COUNT(papers) && !o->paper; ++p) show_absent(record, NULL, papers[p].key);
     return page_close(&csv, o->out, "papers.csv", err);
 }
-
-void papers_text(FILE *f, const options *o)
-{
-    for (int k = 0; papers_sheet(k); ++k) if (asked(o, papers_sheet(k))) show_text(f, papers_sheet(k), drawn[k]);
-}

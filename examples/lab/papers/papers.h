@@ -8,6 +8,5 @@ enum { PAPERS_THRIFT = 4 };                   /* stage_thrift of the quick form 
 
 int  papers_units(const options *o);            /* 0: no table or figure is asked for */
 int  papers_chart(FILE *record, const options *o, kit_error *err);
-void papers_text(FILE *f, const options *o);
 
 #endif

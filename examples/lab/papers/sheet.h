@@ -138,13 +138,12 @@ const row *sheet_judge(const sheet **t, const claim *c, const row *rows);
 /* Whether a row is one of a claim on times that is to be modelled. */
 int    sheet_wants_model(const sheet *t, int i);
 
-/* ---- show.c: a sheet and its rows, as csv, as text */
+/* ---- show.c: a sheet and its rows, as csv */
 
 void   show_csv_head(FILE *f);
 void   show_csv(FILE *f, const sheet *t, const row *rows);
 /* Shows the parts of a paper that are on no sheet: on the page, or as csv. */
 void   show_absent(FILE *record, FILE *f, const char *paper);
-void   show_text(FILE *f, const sheet *t, const row *rows);
 /* A claim, its outcome, the figures that decided it, and the bounds beyond which it would be another. */
 enum { SENTENCE = 1024 };
 const char *show_claim(char out[SENTENCE], const sheet *t, const claim *c, const row *rows);

@@ -1,4 +1,4 @@
-/* show.c - prints a paper's table or figure beside the results here, as csv and as text. Declared in sheet.h. */
+/* show.c - prints a paper's table or figure beside the results here, as csv. Declared in sheet.h. */
 #include <math.h>
 #include <string.h>
 #include "lab/measure/csv.h"
@@ -127,20 +127,4 @@ void show_absent(FILE *record, FILE *f, const char *paper)
         if (f) csv_cell(f, &none, 0, "absent", "", why);
         if (record) page_paragraph(record, "[%s] %s: %s", paper, none.name, why);
     }
-}
-
-/* ---- >>text ------------------------------------------------------------------------------------------------------ */
-
-void show_text(FILE *f, const sheet *t, const row *rows)
-{
-    int agree = 0, known = 0;
-    char said[SENTENCE];
-    for (int k = 0; k < t->claimed; ++k) {
-        const int holds = sheet_holds(t, &t->claims[k], rows);
-        agree += holds > 0;
-        known += holds >= 0;
-    }
-    fprintf(f, "%s %s, %s: %d of %d statements agree\n", t->paper, t->name, t->title, agree, known);
-    for (int k = 0; k < t->claimed; ++k)
-        if (!sheet_holds(t, &t->claims[k], rows)) fprintf(f, "    %s\n", show_claim(said, t, &t->claims[k], rows));
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_trace.h"
+#include "lab/measure/csv.h"
 #include "lab/measure/folder.h"
 #include "lab/measure/stage.h"
 #include "lab/stability/shot.h"
@@ -14,8 +15,8 @@ enum { SPAN = 8, MOVED = 2 * SPAN };
 static const char *const own_methods[] = { "hsao-fast", "hsao-fast:history=1", "hsao", "hsao:history=1", "hsao-history",
                                            "hsao-best", NULL };
 
-/* Kinds of moves. Scenes take the first IN_TURN of them in turn; the others, which a host does to frames, are asked
-   for. A frame's step: pixels to the right, a share of the way to the target, degrees of roll and of orbit. */
+/* Kinds of moves. Scenes take the first IN_TURN of them in turn, or the others, which a host does to
+   frames. A frame's step: pixels to the right, a share of the way to the target, degrees of roll and of orbit. */
 enum { EVEN, CUTS, STOPS, JITTERS, RESIZES, UNEVEN };
 static const struct kind {
     const char *name;
@@ -100,14 +101,11 @@ static int truth_of(kit_image *out, const shot *s, int rays, kit_error *err)
 static double deviation(const shot *shots, const kit_image *pictures)
 {
     const kit_image *each[SPAN];
-    double sum = 0;
+    double sum = 0, square, mean;
     size_t places = 0;
     for (int k = 0; k < SPAN; ++k) each[k] = &pictures[k];
     for (int i = 0; i < shots->frame.width * shots->frame.height; ++i) {
-        double v[SPAN], mean = 0, square = 0;
-        if (!shot_followed(v, shots, SPAN, each, i)) continue;
-        for (int k = 0; k < SPAN; ++k) mean += v[k] / SPAN;
-        for (int k = 0; k < SPAN; ++k) square += (v[k] - mean) * (v[k] - mean) / (SPAN - 1);
+        if (!shot_varies(&square, &mean, shots, SPAN, each, i, 0)) continue;
         sum += sqrt(square);
         ++places;
     }
@@ -219,28 +217,21 @@ static int moved(double (*figure)[MOVE_FIGURES], const char *scene, const struct
     return 0;
 }
 
-/* The kinds of frames that hosts make, each on OF_HOSTS scenes, and the methods that draw them. */
-static const char *const host_kinds[] = { "still", "jittered", "resized", "uneven", NULL };
+/* The methods that draw frames as hosts make them, on OF_HOSTS scenes. */
 static const char *const host_methods[] = { "hsao-fast", "turned hsao-fast", "hsao-fast:history=1", "turned hsao",
                                             "hsao-history", "place hsao-history", "hsao-best", NULL };
 enum { OF_HOSTS = 8 };
 
 void moves_of_hosts(moves_options *o)
 {
-    memcpy(o->kind, host_kinds, sizeof host_kinds);
+    o->of_hosts = 1;
     memcpy(o->method, host_methods, sizeof host_methods);
     o->count = OF_HOSTS;
 }
 
-static const struct kind *kind_of(const moves_options *o, int k, kit_error *err)
+static const struct kind *kind_of(const moves_options *o, int k)
 {
-    int kinds_asked = 0;
-    while (o->kind[kinds_asked]) ++kinds_asked;
-    if (!kinds_asked) return &kinds[k % IN_TURN];
-    for (int i = 0; i < KINDS; ++i)
-        if (!strcmp(kinds[i].name, o->kind[k % kinds_asked])) return &kinds[i];
-    kit_fail(err, "--kind %s: is none", o->kind[k % kinds_asked]);
-    return NULL;
+    return &kinds[o->of_hosts ? IN_TURN + k % (KINDS - IN_TURN) : k % IN_TURN];
 }
 
 /* Makes the path of the k-th scene. Returns 0 if there is none. */
@@ -256,44 +247,24 @@ static int scene_of(char path[128], const moves_options *o, int k)
     return 1;
 }
 
-static void print_figures(const char *name, const double *f)
-{
-    printf("  %-36s %8.5f %8.5f %8.4f %6.3f", name, f[FILLING], f[FILLED], f[LAST], f[LAST] / f[ALONE]);
-    printf(isnan(f[BY_TAA]) ? "\n" : " %8.4f\n", f[BY_TAA]);
-}
-
-int moves(const moves_options *o, FILE *csv, kit_error *err)
+int moves(const moves_options *o, FILE *out, kit_error *err)
 {
     const char *const *methods = o->method[0] ? o->method : own_methods;
-    static double figure[MOST_MOVES][MOVE_FIGURES], sum[MOST_MOVES][MOVE_FIGURES];
-    char scene[128], taa[32];
-    int count = 0, of[MOST_MOVES] = { 0 };
-    memset(sum, 0, sizeof sum);
-    if (csv) fputs("move,scene,method,filling,filled,error,over alone,by TAA\n", csv);
-    puts("deviation over the truth's in frames 1 to 8, 9 to 16; error of the last, over that of the frame alone; of a "
-         "camera that stands, the picture by TAA");
-    for (; scene_of(scene, o, count); ++count) {
-        const struct kind *kind = kind_of(o, count, err);
-        if (!kind || moved(figure, scene, kind, methods, o, err)) return -1;
-        printf("%s: %s\n", kind->name, scene);
+    static double figure[MOST_MOVES][MOVE_FIGURES];
+    char scene[128];
+    fputs("move,scene,method,filling,filled,error,over alone,by TAA\n", out);
+    for (int k = 0; scene_of(scene, o, k); ++k) {
+        const struct kind *kind = kind_of(o, k);
+        if (moved(figure, scene, kind, methods, o, err)) return -1;
         for (int i = 0; methods[i]; ++i) {
             const double *f = figure[i];
             if (skipped(methods[i], kind)) continue;
-            print_figures(methods[i], f);
-            *taa = 0;
-            if (stands(kind)) snprintf(taa, sizeof taa, "%.5f", f[BY_TAA]);
-            if (csv)
-                fprintf(csv, "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f,%s\n", kind->name, scene, methods[i], f[FILLING],
-                        f[FILLED], f[LAST], f[LAST] / f[ALONE], taa);
-            for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] += f[c];
-            ++of[i];
+            fprintf(out, "%s,%s,\"%s\",%.6f,%.6f,%.5f,%.4f", kind->name, scene, methods[i], f[FILLING], f[FILLED],
+                    f[LAST], f[LAST] / f[ALONE]);
+            csv_figure(out, ",%.5f", f[BY_TAA]);
+            fputc('\n', out);
         }
-        fflush(stdout);
-    }
-    printf("mean of %d\n", count);
-    for (int i = 0; methods[i]; ++i) {
-        for (int c = 0; c < MOVE_FIGURES; ++c) sum[i][c] /= of[i];
-        if (of[i]) print_figures(methods[i], sum[i]);
+        fflush(out);
     }
     return 0;
 }

@@ -328,7 +328,9 @@ static void carry(float p[3], const float *from, const float *to)
     for (int k = 0; k < 3; ++k) p[k] = to[k] * q[0] + to[4 + k] * q[1] + to[8 + k] * q[2] + to[12 + k];
 }
 
-int shot_followed(double *v, const shot *shots, int frames, const kit_image *const *pictures, int pixel)
+/* Writes the values of so many pictures at the point that a pixel of the first one shows, carried along with its
+   object. Returns 0 if some frame does not show the point. */
+static int followed(double *v, const shot *shots, int frames, const kit_image *const *pictures, int pixel)
 {
     const uint32_t o = shots->object[pixel];
     float p[3];
@@ -341,5 +343,18 @@ int shot_followed(double *v, const shot *shots, int frames, const kit_image *con
         if (o > 0 && o <= MOST_OBJECTS && memcmp(from, to, sizeof *shots->to_world)) carry(q, from, to);
         if (!shot_value_at(&v[k], &shots[k], pictures[k], q, o)) return 0;
     }
+    return 1;
+}
+
+int shot_varies(double *square, double *mean, const shot *shots, int frames, const kit_image *const *pictures,
+                int pixel, int second)
+{
+    double v[MOST_FRAMES];
+    if (!followed(v, shots, frames, pictures, pixel)) return 0;
+    *mean = *square = 0;
+    for (int k = 0; k < frames; ++k) *mean += v[k] / frames;
+    for (int k = 0; k < frames && !second; ++k) *square += (v[k] - *mean) * (v[k] - *mean) / (frames - 1);
+    for (int k = 1; k + 1 < frames && second; ++k)
+        *square += pow(v[k - 1] - 2 * v[k] + v[k + 1], 2) / (6.0 * (frames - 2));
     return 1;
 }

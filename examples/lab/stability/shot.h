@@ -6,7 +6,7 @@
 #include "lab/measure/picture.h"
 #include "lab/stability/sweeps.h"
 
-enum { MOST_OBJECTS = 64 };
+enum { MOST_OBJECTS = 64, MOST_FRAMES = 16 };
 typedef struct shot {
     kit_scene    scene;
     kit_gbuffer  gbuffer;
@@ -37,9 +37,11 @@ int    shot_shades(const kit_image *picture, const float *mask);
 int    shot_value_at(double *value, const shot *s, const kit_image *picture, const float p[3], uint32_t object);
 /* Writes the point of the scene that a pixel shows. */
 void   shot_place(const shot *s, int pixel, float p[3]);
-/* Writes the values of so many pictures at the point that a pixel of the first one shows, carried along with its
-   object. Returns 0 if some frame does not show the point. */
-int    shot_followed(double *v, const shot *shots, int frames, const kit_image *const *pictures, int pixel);
+/* Writes the variance over so many pictures at the point that a pixel of the first one shows, carried along with its
+   object, and the mean. second: instead of the variance a sixth of the mean square of second differences. Returns 0 if
+   some frame does not show the point. */
+int    shot_varies(double *square, double *mean, const shot *shots, int frames, const kit_image *const *pictures,
+                   int pixel, int second);
 /* Returns the RMSE between two pictures (a without data: 1 everywhere) over the pixels that are scored and known in b.
    A value that is no number has an error of 1. */
 double shot_apart(const kit_image *a, const kit_image *b, const float *mask);

@@ -1,7 +1,7 @@
 /* stability.c - where methods fail: each method is swept through causes of failure, and its error or flicker is plotted
    against each. --help lists the options. Truth is traced anew each time. Bad input, or a write that fails: one line on
    stderr, status 2. sweeps.c has the methods and causes; sweep.c measures a sweep over shot.c's frames; maths.c sweeps
-   the CPU functions alone; show.c shows the results. */
+   the CPU functions alone; show.c shows the results; moves.c moves cameras. */
 #include <stdlib.h>
 #include <string.h>
 #include "kit/kit_gl.h"
@@ -17,7 +17,7 @@
 static int add_moves(page *record, const sweep_options *o, kit_error *err)
 {
     for (int hosts = 0; hosts < 2; ++hosts) {
-        moves_options m = { .width = 640, .rays = 64, .from = SEEDS_JUDGED, .quick = o->quick };
+        moves_options m = { MOVES_OF_CHARTS, .from = SEEDS_JUDGED, .quick = o->quick };
         page csv;
         if (hosts) moves_of_hosts(&m);
         if (o->quick) m.width = 320, m.count = 4;
@@ -49,7 +49,7 @@ static int write_all(const sweep_options *o, const result *results, const int *s
                    "light from everywhere, where irradiance is ambient visibility.");
     show_csv_head(csv.file);
     for (int k = 0; k < sweeps_causes; ++k)
-        if (shown[k] && show_cause(record.file, csv.file, &results[k], o->out, err)) return -1;
+        if (shown[k] && show_cause(record.file, csv.file, &results[k], err)) return -1;
     if (!o->causes && !o->methods && add_moves(&record, o, err)) return -1;
     return page_close(&csv, o->out, "stability.csv", err) || page_end(&record, o->out, "stability", err) ? -1 : 0;
 }
@@ -69,8 +69,9 @@ static int stability(const sweep_options *o, kit_error *err)
         if (sweep(&results[k], &sweeps_cause[k], o, what, err)) return -1;
     }
     if (write_all(o, results, shown, err)) return -1;
-    show_table_text(stdout, results, shown);
-    printf("charts and pictures: %s/index.html\n", o->out);
+    puts("cause,what,method,number");
+    for (int k = 0; k < sweeps_causes; ++k)
+        if (shown[k]) show_numbers(stdout, &results[k]);
     return 0;
 }
 
@@ -106,29 +107,20 @@ enum { OF_SWEEPS = 5 };
 #define LIST_OF(list, count) .kind = KIT_LIST, MOVES(list), .most = MOST_MOVES, .said = offsetof(moves_options, count)
 static const kit_option options[] = {
     { .about = "Sweeps each method through each cause of failure and measures its error or flicker. It writes "
-               "stability.csv, pictures of each cause and report/index.html, which shows them, and prints a table. "
-               "--cause and --method may be given several times." },
+               "stability.csv and report/index.html, and prints the number of each curve as csv. --cause and --method "
+               "may be given several times." },
     { "--cause", "NAME", "Sweeps that cause alone. The first column of stability.csv has the names.",
       .kind = KIT_TAKEN, .take = take_cause },
     { "--method", "NAME", "Sweeps that method alone.", .kind = KIT_TAKEN, .take = take_method },
     { "--quick", NULL, "A smaller run.", .kind = KIT_FLAG, .at = offsetof(sweep_options, quick) },
     { "--out", "FOLDER", "The folder to write into [report].", .kind = KIT_TEXT, .at = offsetof(sweep_options, out) },
-    { .about = "With --moves it prints a table instead: how steady methods are while a camera moves past things "
-               "that stand still. --scene, --method and --kind may be given several times." },
+    { .about = "With --moves it prints another csv: how steady methods are while a camera moves past things that "
+               "stand still. --scene and --method may be given several times." },
     { "--moves", NULL, "Must be the first argument.", .kind = KIT_TOLD },
     { "--scene", "NAME", "That scene alone.",
       LIST_OF(scene, scenes) },
     { "--method", "METHOD", "That method alone. Settings may follow: hsao:samples=12.",
       LIST_OF(method, methods) },
-    { "--kind", "NAME", "That kind of movement alone: aside, forward, roll, orbit, cut, \"stop and go\", fast, "
-                        "slow, still, jittered, resized or uneven.",
-      LIST_OF(kind, kinds) },
-    { "--from", "SEED", "The first seed of the scenes [0].",
-      .kind = KIT_WHOLE, MOVES(from), .most = 4096 },
-    { "--width", "PIXELS", "The width of the images, at least 64 [640]. The height is 9/16 of it.",
-      .kind = KIT_WHOLE, MOVES(width), .least = 64, .most = 4096 },
-    { "--rays", "N", "The rays of the ground truth for each pixel, at least 16 [64].",
-      .kind = KIT_WHOLE, MOVES(rays), .least = 16, .most = 4096 },
     { NULL }
 };
 
@@ -142,7 +134,7 @@ static int parse(sweep_options *o, int argc, char **argv, kit_error *err)
 
 static int parse_moves(moves_options *o, int argc, char **argv, kit_error *err)
 {
-    *o = (moves_options){ .width = 640, .rays = 64 };
+    *o = (moves_options){ MOVES_OF_CHARTS };
     return kit_options(o, options + OF_SWEEPS, argc - 1, argv + 1, NULL, err);   /* behind --moves */
 }
 
@@ -156,7 +148,7 @@ int main(int argc, char **argv)
     kit_streams_open();
     sweeps_load();
     if (!(moving ? parse_moves(&m, argc, argv, &err) : parse(&o, argc, argv, &err))
-        && !kit_gl_open(NULL, &err) && !(moving ? moves(&m, NULL, &err) : stability(&o, &err)))
+        && !kit_gl_open(NULL, &err) && !(moving ? moves(&m, stdout, &err) : stability(&o, &err)))
         kit_streams_close(&err);
     if (*err.text) {
         kit_progress("", 1);

@@ -45,21 +45,13 @@ static double remains(const shot *s, const shot *before, int m, int share)
 
 /* Returns the deviation over the frames at points that the first frame shows. second: for light that changes by itself,
    the root mean square of the second difference instead, divided by the root of 6, which noise would have (1 -2 1).
-   map: the same at each pixel, 0 if not known. mean: of the values. */
-static double flicker(float *map, double *mean, const shot *shots, int frames, const kit_image *const *pictures,
-                      int second)
+   mean: of the values. */
+static double flicker(double *mean, const shot *shots, int frames, const kit_image *const *pictures, int second)
 {
-    double sum = 0, all = 0;
+    double sum = 0, all = 0, square, middle;
     size_t places = 0;
     for (int i = 0; i < shots->frame.width * shots->frame.height; ++i) {
-        double v[FRAMES], middle = 0, square = 0;
-        map[i] = 0;
-        if (!shot_followed(v, shots, frames, pictures, i)) continue;
-        for (int k = 0; k < frames; ++k) middle += v[k] / frames;
-        for (int k = 0; k < frames && !second; ++k) square += (v[k] - middle) * (v[k] - middle) / (frames - 1);
-        for (int k = 1; k + 1 < frames && second; ++k)
-            square += pow(v[k - 1] - 2 * v[k] + v[k + 1], 2) / (6.0 * (frames - 2));
-        map[i] = (float)sqrt(square);
+        if (!shot_varies(&square, &middle, shots, frames, pictures, i, second)) continue;
         sum += square;
         all += middle;
         ++places;
@@ -94,7 +86,7 @@ static double most_over_alone(const shot *shots, int first, int frames, int m)
 }
 
 /* Returns a method's flicker, less the truth's except for SECOND; for m below 0 the truth's. */
-static double flicker_of(float *map, const shot *shots, int frames, int kind, int m, int between)
+static double flicker_of(const shot *shots, int frames, int kind, int m, int between)
 {
     const kit_image *truths[FRAMES], *pictures[FRAMES];
     const int second = kind != DEVIATION;
@@ -103,92 +95,42 @@ static double flicker_of(float *map, const shot *shots, int frames, int kind, in
         truths[k] = &shots[k].truth[between];
         pictures[k] = m < 0 ? truths[k] : &shots[k].picture[m];
     }
-    own = flicker(map, &mean, shots, frames, truths, second) / (kind == LIT_SECOND ? mean : 1);
-    y = flicker(map, &mean, shots, frames, pictures, second) / (kind == LIT_SECOND ? mean : 1);
+    own = flicker(&mean, shots, frames, truths, second) / (kind == LIT_SECOND ? mean : 1);
+    y = flicker(&mean, shots, frames, pictures, second) / (kind == LIT_SECOND ? mean : 1);
     return m >= 0 && kind != SECOND ? sqrt(fmax(0, y * y - own * own)) : y;
 }
 
 /* ---- >>points ---------------------------------------------------------------------------------------------------- */
 
-/* Puts a picture, its truth and their difference (or the flicker) side by side, one pixel of each stride x stride. */
-static int strip(kit_image *out, const kit_image *a, const kit_image *b, const float *map, const look *l, float gain,
-                 kit_error *err)
-{
-    const int width = l->width / l->stride, height = l->height / l->stride, pixels = width * height;
-    kit_image small[3], colour;                /* picture, truth, and the picture that the difference is of */
-    for (int k = 0; k < 3; ++k) {
-        if (kit_image_new(&small[k], width, height, "Y", err)) return -1;
-        for (int i = 0; i < pixels; ++i) {
-            const int from = (i / width * l->stride + l->stride / 2) * l->width + i % width * l->stride + l->stride / 2;
-            small[k].data[i] = k < 2 ? shot_values(k ? b : a)[from]
-                               : map ? map[from] + shot_values(b)[from]
-                                     : shot_values(a)[from];
-        }
-    }
-    if (kit_image_difference(&colour, &small[2], &small[1], "Y", map ? 0.05f : 0.5f, err)
-        || kit_image_new(out, 3 * width, height, "R,G,B", err))
-        return -1;
-    for (int c = 0; c < 3; ++c)
-        for (int i = 0; i < pixels; ++i)
-            for (int k = 0; k < 3; ++k)
-                out->data[(c * height + i / width) * 3 * width + k * width + i % width] =
-                    k < 2 ? gain * small[k].data[i] : colour.data[c * pixels + i];
-    for (int k = 0; k < 3; ++k) kit_image_free(&small[k]);
-    kit_image_free(&colour);
-    return 0;
-}
-
-/* Returns the picture with which a curve's last frame is compared. */
-static const kit_image *truth_of(const shot *shots, int frames, int kind, int m, int between)
-{
-    return kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &shots[frames - 1].truth[between];
-}
-
-/* Returns a curve's figure, from the frames of one value. map: see flicker; otherwise it stays as it is. */
-static double figure_of(float *map, const shot *shots, int frames, int kind, int m, int between)
+/* Returns a curve's figure, from the frames of one value. */
+static double figure_of(const shot *shots, int frames, int kind, int m, int between)
 {
     const shot *s = &shots[frames - 1];
     switch (kind) {
     case ERROR:
     case PRECISION:
-        return shot_apart(m < 0 ? &s->none : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
+        return shot_apart(m < 0 ? &s->none : &s->picture[m],
+                          kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &s->truth[between], s->mask);
     case NEWLY:     return newly_over_alone(shots, frames, m);
     case TRAIL:     return remains(s, &shots[CHANGED - 1], m, 0);
     case HELD:      return remains(s, &shots[CHANGED - 1], m, 1);
     case FOLLOWS:   return most_over_alone(shots, 1, frames, m);
     case AFTER:     return most_over_alone(shots, frames - 1, frames, m);
     case SHADES:    return 1.0 / shot_shades(m < 0 ? &s->truth[0] : &s->picture[m], s->mask);
-    default:        return flicker_of(map, shots, frames, kind, m, between);
+    default:        return flicker_of(shots, frames, kind, m, between);
     }
 }
 
-/* Adds a point to every curve from the frames of one value, and keeps the worst one as a picture. */
-static int point_of(result *r, int point, const shot *shots, int frames, const look *l, kit_error *err)
+/* Adds a point to every curve from the frames of one value. */
+static void point_of(result *r, int point, const shot *shots, int frames)
 {
-    const int kind = r->cause->kind, flickers = kind == DEVIATION || kind == SECOND || kind == LIT_SECOND;
-    const shot *shown = flickers ? shots : &shots[frames - 1];
-    float *map = calloc((size_t)l->width * (size_t)l->height, sizeof *map);
-    if (!map) return kit_fail(err, "out of memory");
     for (int i = 0; i < r->curves; ++i) {
         curve *c = &r->curve[i];
         const int m = c->method, between = m >= 0 && sweeps_method[m].of & FAR;
-        kit_image worst;
         if (m >= 0 && !shots[frames - 1].picture[m].data) continue;
-        const double y = figure_of(map, shots, frames, kind, m, between);
-        c->y[point] = y;
-        if (c->number >= y) continue;
-        c->number = y;
-        c->at = r->x[point];
-        if (m < 0) continue;
-        if (strip(&worst, &shown->picture[m],
-                  flickers ? &shots[0].truth[between] : truth_of(shots, frames, kind, m, between),
-                  flickers ? map : NULL, l, kind == LIT_SECOND ? 0.4f : 1, err))
-            return -1;
-        kit_image_free(&c->worst);
-        c->worst = worst;
+        c->y[point] = figure_of(shots, frames, r->cause->kind, m, between);
+        if (!(c->number >= c->y[point])) c->number = c->y[point], c->at = r->x[point];
     }
-    free(map);
-    return 0;
 }
 
 /* The number of a curve of PRECISION is the largest value up to which all errors are at most LIMIT. */
@@ -271,7 +213,7 @@ static int value_of(result *r, double value, const sweep_options *o, const int t
         }
     }
     for (int m = 0; m < sweeps_methods; ++m) kit_frames_close(&kept[m]);
-    if (point_of(r, r->points++, shots + first, frames - first, &l, err)) return -1;
+    point_of(r, r->points++, shots + first, frames - first);
     for (int k = 0; k < frames; ++k) shot_close(&shots[k]);
     return 0;
 }

@@ -13,7 +13,7 @@ typedef struct sweep_options {
 /* Returns whether any of the methods that are asked for is swept through a cause. */
 int sweep_has(const cause *c, const sweep_options *o);
 
-/* Makes the curves of a cause. what: for kit_progress. The caller frees the curves' pictures. */
+/* Makes the curves of a cause. what: for kit_progress. */
 int sweep(result *r, const cause *c, const sweep_options *o, const char *what, kit_error *err);
 
 #endif
