@@ -35,6 +35,12 @@ all: build/render build/report build/stability build/glsl-text build/minimal
 # Missing packages are installed if that is possible, else named in one line.
 deps:
 	@sh examples/kit/install.sh
+# Installs packages if a program is missing, or fails. arguments: the program, packages, a target, what is missing
+needs = command -v $(1) >/dev/null || sh examples/kit/install.sh $(2) || \
+        { echo '$(3): $(or $(4),$(1)) is missing (apt-get install $(2))' >&2; exit 2; }
+# Ends a test with a line that names the missing ones of these programs. arguments: these, how others are looked for
+skips = lacks=; for p in $(1); do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; $(2) \
+        test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }
 
 # Copies of the headers without their implementations, for all files that only call them. An edit of an implementation
 # leaves the copies unchanged, so make only compiles files that include the whole ../ssgi_gl.h: library_gl.c and the
@@ -100,14 +106,22 @@ KITS          = render report stability bench try reflection quiet against cost 
 $(foreach p,$(KITS),$(eval build/$(p): $(OF_$(p):%=build/examples/%.o)))
 # A method's chain with its inputs and its picture, for tests that draw it by another API.
 build/capture: build/tests/examples/capture.o $(GLSL:%=build/examples/%.o)
-$(KITS:%=build/%) build/capture: $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(LIBS_$(@F)) -o $@
+$(KITS:%=build/%) build/capture build/test build/test-examples build/viewer: $(KIT_O)
 
 # build/render under sanitizers, for make test: it draws with each method once.
-SANITIZED = $(KIT:%=build/sanitized/%.o) $(LIBRARY:%=build/sanitized/%) \
-            $(OF_render:%=build/sanitized/examples/%.o)
-build/render-sanitized: $(SANITIZED)
-	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
+SANITIZED = $(KIT:%=build/sanitized/%.o) $(LIBRARY:%=build/sanitized/%)
+build/render-sanitized: $(SANITIZED) $(OF_render:%=build/sanitized/examples/%.o)
+
+# Programs of objects, those above and below. LIBS_NAME is what else build/NAME is linked with.
+LIBS_render-sanitized = -fsanitize=address,undefined
+LIBS_fuzz-files       = $(LIBS_render-sanitized) -lOpenEXR-3_1
+LIBS_test-examples    = -lOpenEXR-3_1
+LIBS_viewer           = $$(pkg-config --libs glfw3)
+LIBS_viewer-sanitized = $(LIBS_render-sanitized) $(LIBS_viewer)
+LIBS_viewer-threads   = -fsanitize=thread $(LIBS_viewer)
+$(addprefix build/,$(KITS) capture render-sanitized test test-examples fuzz-files viewer viewer-sanitized \
+  viewer-threads):
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) $(LIBS_$(@F)) -o $@
 
 build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
@@ -121,8 +135,7 @@ report/demo.js: build/report $(wildcard examples/lab/page/*.html examples/lab/pa
 	build/report demo
 # Opens the page that demo wrote in headless Chromium.
 demo-test: report/demo.js web-deps
-	@command -v node >/dev/null || { echo "skipped: everything: no node"; echo "0 passed, 0 failed"; exit 0; }; \
-	node tests/pages/demo.mjs $(ONLY)
+	@$(call skips,node); node tests/pages/demo.mjs $(ONLY)
 
 # Speed against accuracy, and error on scenes by seed; report/index.html. QUICK=1 is smaller. SCENE=room METHOD=hsao:
 # only that scene and methods whose names begin so. CONTEXT=egl draws on a GPU. Some scenes and one probe are in
@@ -130,13 +143,13 @@ demo-test: report/demo.js web-deps
 PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
 # OF=ambient, lit, fields, deep or plan: that part alone, at full length. Half of the scenes by seed come from the hash
 # of the code, so that nothing was tuned on them.
-CODE  = sh examples/lab/figures.sh --hash
-DRAWN = $(if $(filter chart seeds,$(or $(OF),chart)),--drawn $$($(CODE)))
+CODE      = sh examples/lab/figures.sh --hash
+DRAWN     = $(if $(filter chart seeds,$(or $(OF),chart)),--drawn $$($(CODE)))
+ASKED_FOR = $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 chart: build/report build/glsl-text | page-deps
 	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs attic))
 	@test -n "$(QUICK)$(SCENE)" -o -s $(PROBE) || sh examples/kit/install.sh blender-data || true
-	build/report $(or $(OF),chart) $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) \
-	  $(CONTEXT:%=--context %) $(DRAWN)
+	build/report $(or $(OF),chart) $(ASKED_FOR) $(DRAWN)
 	@$(FIGURES)
 
 # Every figure of the documents, in parts of at most an hour that can be stopped: all parts whose figures are of other
@@ -154,16 +167,10 @@ papers: build/report build/render | page-deps
 	@$(FIGURES)
 	$(if $(QUICK)$(PAPER),,awk -f examples/lab/papers/repeat.awk -v long=1 examples/docs/PAPERS.md)
 
-# Only the chart's part on light: every pair of a scene and a probe. make light QUICK=1 is smaller.
-light: build/report | page-deps
-	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
-	@$(FIGURES)
-
-# Only the chart's part on scenes by seed. make seeds QUICK=1 is smaller. Seeds from 1000 on are for reports only:
-# FROM=0 shows the seeds on which settings may be tuned.
-seeds: build/report build/glsl-text | page-deps
-	build/report seeds $(if $(QUICK),--quick) $(METHOD:%=--method %) $(FROM:%=--from %) $(COUNT:%=--count %) \
-	  $(CONTEXT:%=--context %) $(DRAWN)
+# Only the chart's part on light: every pair of a scene and a probe; or its part on scenes by seed. QUICK=1 is smaller.
+# Seeds from 1000 on are for reports only: FROM=0 shows the seeds on which settings may be tuned.
+light seeds: build/report build/glsl-text | page-deps
+	build/report $@ $(ASKED_FOR) $(FROM:%=--from %) $(COUNT:%=--count %) $(if $(filter seeds,$@),$(DRAWN))
 	@$(FIGURES)
 
 NPM = npm install --no-save --ignore-scripts --no-audit --no-fund --silent --prefix
@@ -200,13 +207,16 @@ fit: cost-plan build/report build/fit
 	build/fit report/plan-fit.csv \
 	  $$(for f in report/plan-gpu.csv report/plan-cost.csv; do test -s $$f && echo $$f && break; done)
 # The same table with only that column changed.
-fit-gpu: build/fit
-	build/fit /dev/null report/plan-gpu.csv
-fit-cost: cost-plan build/fit
-	build/fit /dev/null report/plan-cost.csv
+fit-cost: cost-plan
+fit-gpu fit-cost: build/fit
+	build/fit /dev/null report/plan-$(@:fit-%=%).csv
+
+# Programs of one file.
 build/fit: examples/lab/fit.c ssgi.h
+build/rmse: tests/examples/rmse.c
+build/fit build/rmse: | deps
 	@mkdir -p $(@D)
-	@echo '  cc $@'; $(CC) -std=c11 $(CFLAGS) -Wno-unused-function $< -lm -o $@
+	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) -Wno-unused-function $(CFLAGS) $< -lm -o $@
 
 # Milliseconds of every method on EGL's GPU, their bounds, and the plan's costs: report/index.html, bench.csv,
 # plan-gpu.csv. METHOD=hsao: only names that begin so, without the plan. SIZE=1920x1080,3840x2160 SECONDS=100
@@ -237,7 +247,8 @@ against: build/against build/render
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev
 LIBS_cost  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) \
              -lglslang-default-resource-limits -Wl,--end-group -lstdc++
-cost cost-test cost-record cost-shares cost-plan cost-papers cost-peers: deps
+COSTS      = cost $(addprefix cost-,test record shares plan papers peers)
+$(COSTS): deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h spirv_cross/spirv_cross_c.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
@@ -263,13 +274,13 @@ pictures: build/render
 
 # Measures the figures of LIMITS.md again. ONLY=word: rows whose names contain it.
 failures: build/render build/stability
-	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
+	@$(call needs,python3,python3,$@)
 	@python3 examples/lab/failures.py $(ONLY)
 
 # Makes wrong edits of both headers, each with the test that must notice it; tests/mutants.py explains. Forty take six
 # minutes.
 mutants: build/test
-	@command -v python3 >/dev/null || sh examples/kit/install.sh python3
+	@$(call needs,python3,python3,$@)
 	@python3 tests/mutants.py ONLY='$(ONLY)' DRAW='$(DRAW)' SEED='$(SEED)'
 
 # Installs the headers under PREFIX, where pkg-config and CMake's find_package(ssgi) find them.
@@ -302,24 +313,21 @@ WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Oz -fno-builtin -fno-math-err
 wasm: build/wasm/ssgi.wasm
 WASM_LIBC  = $(wildcard examples/tools/wasm/libc/*)
 build/wasm/ssgi.wasm: examples/tools/wasm/ssgi.c examples/tools/wasm/ssgi.mjs $(WASM_LIBC) ssgi.h ssgi_gl.h
-	@command -v clang >/dev/null && command -v wasm-ld >/dev/null || sh examples/kit/install.sh clang lld || \
-	  { echo 'wasm: clang or wasm-ld is missing (apt-get install clang lld)' >&2; exit 2; }
+	@$(call needs,clang >/dev/null && command -v wasm-ld,clang lld,wasm,clang or wasm-ld)
 	@mkdir -p $(@D)
 	@echo '  clang $@'; clang $(WASM_FLAGS) $< -o $@
 	@cp examples/tools/wasm/ssgi.mjs $(@D)
 
 # Every chain of build/glsl-text --chains, in WGSL.
 build/wgsl/manifest.json: build/glsl-text examples/tools/glsl/translate.sh examples/tools/glsl/wgsl.mjs
-	@command -v glslangValidator >/dev/null || sh examples/kit/install.sh glslang-tools || \
-	  { echo 'npm: glslangValidator is missing (apt-get install glslang-tools)' >&2; exit 2; }
+	@$(call needs,glslangValidator,glslang-tools,npm)
 	@rm -rf build/wgsl && build/glsl-text --chain all --wgsl build/wgsl || { rm -rf build/wgsl; exit 2; }
 
 # An npm package: ssgi.mjs with its types and ssgi.wasm, which makes all GLSL, and the methods' chains in WGSL. It is
 # packed into a file, because npm may install a folder as a link, from which bundlers do not find three. build/wgsl has
 # a second package, ssgi-wgsl: the WGSL of all named chains as files, with a manifest.
 npm: build/wasm/ssgi.wasm build/glsl-text build/wgsl/manifest.json
-	@command -v npm >/dev/null || sh examples/kit/install.sh npm || \
-	  { echo 'npm: npm is missing (apt-get install npm)' >&2; exit 2; }
+	@$(call needs,npm,npm,npm)
 	@rm -rf build/npm build/ssgi-*.tgz build/wgsl/*.tgz && mkdir -p build/npm
 	@node examples/tools/packages/chains.mjs build/wgsl build/npm/chains
 	@cp build/wasm/ssgi.wasm examples/tools/wasm/*.mjs examples/tools/wasm/*.d.ts LICENSE build/npm
@@ -348,16 +356,13 @@ OF_EXAMPLES = tools stability errors files models seeds papers cost
 # The files that tests of the examples call: all except the programs.
 TESTED = $(sort $(filter-out lab/report lab/stability/stability lab/stability/show,$(OF_report) $(OF_stability)) \
          $(addprefix lab/,against/compared against/subjects cost/count cost/share cost/model measure/csv))
-build/test: $(addprefix build/tests/,main.o t.o $(addprefix library/,frames.o $(OF_LIBRARY:%=test_%.o))) \
-            $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
+build/test: $(addprefix build/tests/,main.o t.o $(addprefix library/,frames.o $(OF_LIBRARY:%=test_%.o)))
 # Models in scenes by seed, from packages.
 model-deps:
 	@sh examples/kit/install.sh unzip sweethome3d-furniture assimp-testmodels || true
 build/test-examples: | model-deps
 build/test-examples: $(addprefix build/tests/,main.o t.o $(addprefix examples/,others.o $(OF_EXAMPLES:%=test_%.o))) \
-                     $(TESTED:%=build/examples/%.o) $(KIT_O)
-	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
+                     $(TESTED:%=build/examples/%.o)
 
 # Writes tests/examples/errors.csv with the errors, noise and bounds of this tree; test group errors checks them.
 errors: build/test-examples
@@ -367,7 +372,6 @@ errors: build/test-examples
 # Reads damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
 build/fuzz-files: $(addprefix build/sanitized/,$(addprefix tests/examples/,fuzz_files.o others.o) $(KIT_BASE:%=%.o) \
                   trace/camera.o)
-	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(KIT_LIBS) -lOpenEXR-3_1 -o $@
 
 # Checks that no room of examples/ calls one above it.
 tree: $(KIT_O) $(patsubst %,build/examples/%.o,$(OF_render) $(OF_report) $(GLSL) $(OF_bench) $(OF_against))
@@ -409,33 +413,24 @@ clean:
 	rm -rf build report
 
 .PHONY: page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
-        figures figures-check \
-        chart light seeds papers errors peers cost-peers stability quiet against fit fit-gpu fit-cost cost cost-test \
-        cost-record cost-shares cost-plan cost-papers glsl mutants failures deps unlisted shared format clean
+        figures figures-check chart light seeds papers errors peers stability quiet against fit fit-gpu fit-cost bench \
+        $(COSTS) glsl mutants failures deps unlisted shared format clean viewer glfw viewer-test hosts-test web web-deps \
+        web-test web-first web-shots webgpu-test vulkan vulkan-test pictures
 
 # A window onto a scene, with every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
-VIEWER_O    = $(KIT:%=%.o) $(LIBRARY)
-VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3)
 viewer: build/viewer
 glfw:
 	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
 VIEWER      = $(patsubst %.c,%.o,$(wildcard examples/viewer/*.c))
 $(foreach f,build build/sanitized build/threads,$(VIEWER:%=$f/%)): | glfw
-build/viewer: $(VIEWER:%=build/%) $(VIEWER_O:%=build/kit/%)
-	@echo '  cc $@'; $(CC) $^ $(VIEWER_LIBS) -o $@
-
+build/viewer: $(VIEWER:%=build/%)
 # The viewer under sanitizers: of memory and undefined behaviour, of threads.
-build/viewer-sanitized: $(VIEWER:%=build/sanitized/%) $(VIEWER_O:%=build/sanitized/%)
-	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $^ $(VIEWER_LIBS) -o $@
-build/viewer-threads: $(VIEWER:%=build/threads/%) $(VIEWER_O:%=build/threads/%)
-	@echo '  cc $@'; $(CC) -fsanitize=thread $^ $(VIEWER_LIBS) -o $@
+build/viewer-sanitized: $(VIEWER:%=build/sanitized/%) $(SANITIZED)
+build/viewer-threads: $(VIEWER:%=build/threads/%) $(SANITIZED:build/sanitized/%=build/threads/%)
 
 # Tests it under Xvfb, beside build/render's pictures; parts whose programs are missing are skipped by name. FUZZ=300:
 # so many damaged files and arguments.
-build/rmse: tests/examples/rmse.c | deps
-	@mkdir -p $(@D)
-	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
 XLIB = /usr/bin/python3 -c 'import Xlib' 2>/dev/null
 viewer-test: build/render build/rmse
 	@command -v Xvfb >/dev/null && pkg-config --exists glfw3 && $(XLIB) || \
@@ -456,8 +451,6 @@ hosts-test: build/render build/rmse build/glsl-text web-deps shared
 	@! command -v wasm-ld >/dev/null || $(MAKE) -s npm
 	@sh tests/examples/hosts.sh $(ONLY)
 
-.PHONY: viewer glfw viewer-test hosts-test bench
-
 # The page: examples/web on three.js from npm, to be served from build/web; its tests draw it in a headless browser.
 # Their packages are in build/web-deps; make web-test skips by name the tests whose programs cannot be had.
 WEB      = $(wildcard examples/web/*.html examples/web/*.css examples/web/*.mjs)
@@ -477,8 +470,7 @@ build/web/index.html: $(WEB) $(WEB_SSGI) build/wasm/ssgi.wasm build/web/three/th
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
 
 build/web-deps/node_modules/three/package.json:
-	@command -v npm >/dev/null || sh examples/kit/install.sh npm || \
-	  { echo 'web: npm is missing (apt-get install npm)' >&2; exit 2; }
+	@$(call needs,npm,npm,web)
 	@mkdir -p build/web-deps
 	@echo '  npm three, esbuild, puppeteer-core'; $(NPM_WEB)
 
@@ -522,9 +514,7 @@ web-deps:
 	@test -d build/web-deps/node_modules/esbuild || { mkdir -p build/web-deps && $(NPM_WEB); } || true
 
 web-test: web-deps
-	@lacks=; for p in node clang wasm-ld; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
-	test -d build/web-deps/node_modules/three || lacks="$$lacks three.js (npm)"; \
-	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
+	@$(call skips,node clang wasm-ld,test -d build/web-deps/node_modules/three || lacks="$$lacks three.js (npm)";); \
 	$(MAKE) --no-print-directory web build/render build/glsl-text && mkdir -p build/web-test && \
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
 	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/pages/web.mjs $(ONLY)
@@ -541,14 +531,11 @@ web-shots: web-deps web
 # the page of examples/hosts.
 WEBGPU = build/webgpu-test
 webgpu-test: web-deps build/glsl-text build/capture
-	@lacks=; for p in node npm glslangValidator; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
-	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
+	@$(call skips,node npm glslangValidator); \
 	rm -rf $(WEBGPU) && mkdir -p $(WEBGPU) && echo '<!doctype html><link rel="icon" href="data:,">' >$(WEBGPU)/empty.html && \
 	build/glsl-text $(WEBGPU)/glsl vulkan >/dev/null && { sh examples/tools/glsl/translate.sh $(WEBGPU)/glsl wgsl || \
 	{ test $$? = 2 && echo 'skipped: everything: no translator' && echo '0 passed, 0 failed' && exit 0; exit 1; }; } && \
 	node tests/pages/webgpu.mjs $(ONLY)
-
-.PHONY: web web-deps web-test web-first web-shots webgpu-test
 
 # The Vulkan host, and its drawing loop on captures, under sanitizers.
 VULKAN_O     = $(KIT_BASE:%=build/kit/%.o) $(LIBRARY:%=build/kit/%)
@@ -556,16 +543,15 @@ VULKAN_FLAGS = -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdoubl
                -Ibuild/include -MMD -MP -MF $@.d -MT $@
 -include $(wildcard build/vulkan.d build/vulkan-replay.d)
 vulkan: build/vulkan
-build/vulkan: examples/hosts/vulkan.cpp $(VULKAN_O)
-	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -O1 -g $< $(VULKAN_O) -lvulkan $(KIT_LIBS) -o $@
-build/vulkan-replay: tests/examples/vulkan.cpp $(VULKAN_O)
-	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -g -fsanitize=address,undefined -fno-sanitize-recover=undefined $< \
-	  $(VULKAN_O) -lvulkan $(KIT_LIBS) -o $@
+build/vulkan: examples/hosts/vulkan.cpp
+build/vulkan-replay: tests/examples/vulkan.cpp
+LIBS_vulkan        = -O1
+LIBS_vulkan-replay = -fsanitize=address,undefined -fno-sanitize-recover=undefined
+build/vulkan build/vulkan-replay: $(VULKAN_O)
+	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -g $^ -lvulkan $(KIT_LIBS) $(LIBS_$(@F)) -o $@
 
 # Chains drawn by lavapipe with the validation layer, beside the kit's pictures.
 VULKAN_NEEDS = mesa-vulkan-drivers vulkan-validationlayers libvulkan-dev nlohmann-json3-dev g++ glslang-tools
 vulkan-test: deps
 	@sh examples/kit/install.sh $(VULKAN_NEEDS) || true
 	@MAKE='$(MAKE)' CXX='$(CXX)' sh tests/examples/vulkan.sh
-
-.PHONY: vulkan vulkan-test
