@@ -901,7 +901,8 @@ static const term terms[] = {
     { "four points over a disc", "dss", "near_samples=4", POINTS, 0, 1, DISC, 4, 2e-5 },
     { "16 points over a disc", "dss", "near_samples=16", POINTS, 0, 1, DISC, 16, 2e-5 },
     { "a cap", "aof", "", "o = vec4(ssgi_cap(1.0 - a.x, a.x * (2.0 - a.x), a.y));", 0, 1, CAP, 0, 1e-5 },
-    { "a cap by a table", "aof", "cap_table=1", "o = vec4(ssgi_cap_table(a.x, a.y));", -1.1f, 2.05f, CAP, SIDE, 1.5e-3 },
+    { "a cap by a table", "aof", "cap_table=1", "o = vec4(ssgi_cap_table(a.x, a.y));", -1.1f, 2.05f, CAP, SIDE,
+      1.5e-3 },
 };
 #undef BITS
 #undef POINTS
@@ -927,7 +928,8 @@ static void functions_of_numbers(void)
         frame.radius = t->what == SLAB ? 0.5f : 1;
         const size_t head = (size_t)snprintf(text, sizeof text, "#version 450 core\n");
         if (alone) ssgi_gl_reflection(text + head, sizeof text - head);
-        if (!(alone ? probe_text(text, d.shader.dialect, &frame, 1, t->statement) : probe_map(&d, &frame, t->statement)))
+        if (!(alone ? probe_text(text, d.shader.dialect, &frame, 1, t->statement)
+                    : probe_map(&d, &frame, t->statement)))
             return;
         for (int i = 0; i < MANY; ++i) {
             const double a[4] = { (double)in[i][0], (double)in[i][1], (double)in[i][2], (double)in[i][3] };
@@ -1876,79 +1878,54 @@ static void history_spreads(void)
     }
 }
 
-/* Makes texels at half resolution on a plane at depth 10. Every second one is off it, by up to most times a 100th of
-   the radius and a pixel. */
-static void half_size(float low, float high, float most)
+/* Checks texels of half size on a plane at depth 10, of which every second one is off it. History averages 4x4 by tents
+   of two and a half texels. They count less the farther they are off the plane and the more frames there are. Of a
+   settled pixel the four nearest texels count more. All of them count as 7 samples, as their weights fall off. Blur
+   averages 3x3 texels by tents of 4 pixels, 5x5 without corners by 5.5. */
+static void half_size_spreads(void)
 {
-    for (int i = 0; i < MANY; ++i) {
-        map[i][0] = t_uniform(low, high);
-        map[i][1] = 10 + t_uniform(0, most) * (0.01f + 1.0f / 16) * (float)(i & 1);
-    }
-}
-
-/* Checks that at half resolution 4x4 texels are averaged by tents of two and a half texels. They count less the farther
-   they are off the plane and the more frames there are. Of settled pixels the four nearest texels count more. All of
-   them count as 7 samples, as their weights fall off. */
-static void history_spreads_half_size(void)
-{
-    const ssgi_gl_desc d = facing_of("history", "resolution=half,depth=custom");
+    static const struct { const char *pass; int frames, radius; float low, high, most; } row[] = {
+        { "history", 1, 0, 0.4f, 0.6f, 0.5f }, { "history", 6, 0, 0.4f, 0.6f, 0.5f },
+        { "history", 11, 0, 0.4f, 0.6f, 0.5f }, { "blur", 0, 1, 0, 1, 2 }, { "blur", 0, 2, 0, 1, 2 } };
     const ssgi_gl_frame frame = facing(1);
     t_seed(71);
-    half_size(0.4f, 0.6f, 0.5f);
-    for (int count = 1; count < 16; count += 5) {
+    for (int r = 0; r < ROWS(row); ++r) {
+        const int count = row[r].frames, radius = row[r].radius, side = count ? 4 : 2 * radius + 1;
+        const double wide = count ? 5 : 2.5 + 1.5 * radius;
+        ssgi_gl_desc d = facing_of(row[r].pass, "resolution=half,depth=custom");
         char statements[300];
+        d.filter.radius = radius;
+        for (int i = 0; i < MANY; ++i) {    /* off by up to most times a 100th of the radius and a pixel */
+            map[i][0] = t_uniform(row[r].low, row[r].high);
+            map[i][1] = 10 + t_uniform(0, row[r].most) * (0.01f + 1.0f / 16) * (float)(i & 1);
+        }
         snprintf(statements, sizeof statements,
-                 "ssgi_blurred c = ssgi_blurred_at(texel); c.frames = %d.0;"
-                 "ssgi_filtered f = ssgi_filter(texel, c); float mean = f.light.x / f.light.w;"
-                 "o = vec4(mean, ssgi_deviation(f, mean), 0.0, 0.0);", count);
+                 "ssgi_blurred c = ssgi_blurred_at(texel); %s = %d.0; ssgi_filtered f = ssgi_filter(texel, c);"
+                 "float mean = f.light.x / f.light.w; o = vec4(mean, %s, 0.0, 0.0);",
+                 count ? "c.frames" : "float none", count, count ? "ssgi_deviation(f, mean)" : "none");
         if (!probe_map(&d, &frame, statements)) return;
         for (int i = 0; i < MANY; ++i) {
             const int x = i % SIDE, y = i / SIDE;
             double weights = 0, both = 0, sum = 0, squares = 0;
-            if (x < 4 || y < 4 || x >= SIDE - 4 || y >= SIDE - 4) continue;
-            for (int k = 0; k < 16; ++k) {
-                const int h[2] = { x / 2 + k % 4 - 2 + (x & 1), y / 2 + k / 4 - 2 + (y & 1) }, settled = count > 4;
-                const int beside = k % 4 % 3 && k / 4 % 3;
+            if (count && (x < 4 || y < 4 || x >= SIDE - 4 || y >= SIDE - 4)) continue;
+            for (int k = 0; k < side * side; ++k) {
+                const int a = k % side - side / 2 + (count ? x & 1 : 0), b = k / side - side / 2 + (count ? y & 1 : 0),
+                          h[2] = { x / 2 + a, y / 2 + b };
+                if (h[0] < 0 || h[1] < 0 || 2 * h[0] >= SIDE || 2 * h[1] >= SIDE) continue;
+                if (!count && abs(a) + abs(b) == 4) continue;
                 const float *const at = map[h[1] * SIDE + h[0]];
-                const double tent = (5 - abs(2 * h[0] - x)) * (5 - abs(2 * h[1] - y)), value = (double)at[0],
+                const double tent = (wide - abs(2 * h[0] - x)) * (wide - abs(2 * h[1] - y)), value = (double)at[0],
                              off = ((double)at[1] - 10) / (0.01 + 1.0 / 16),
-                             weight = (settled ? beside * (12 + tent) : 1) * tent / (0.3 / count + off * off);
+                             nearest = count > 4 ? (k % 4 % 3 && k / 4 % 3) * (12 + tent) : 1,
+                             weight = nearest * tent / ((count ? 0.3 / count : 0.1) + off * off);
                 weights += weight, both += weight * weight;
                 sum += weight * value, squares += weight * value * value;
             }
             const double mean = sum / weights, share = both / (weights * weights), few = 7 * share,
                          variance = (squares / weights - mean * mean) / fmax(1 - share, 0.2);
             NEAR(out[i][0], mean, 1e-5, "the mean");
-            NEAR(out[i][1], sqrt((variance + 0.01 * mean * mean * fmax(few - 1, 0)) * few), 1e-4, "the deviation");
-        }
-    }
-}
-
-/* Checks that blur at half resolution averages 3x3 texels by tents of 4 pixels, 5x5 without corners by 5.5. */
-static void blur_spreads_half_size(void)
-{
-    ssgi_gl_desc d = facing_of("blur", "resolution=half,depth=custom");
-    const ssgi_gl_frame frame = facing(1);
-    t_seed(73);
-    half_size(0, 1, 2);
-    for (int radius = 1; radius <= 2; ++radius) {
-        d.filter.radius = radius;
-        if (!probe_map(&d, &frame, "ssgi_blurred c = ssgi_blurred_at(texel); ssgi_filtered f = ssgi_filter(texel, c);"
-                                   "o = vec4(f.light.x / f.light.w);"))
-            return;
-        for (int i = 0; i < MANY; ++i) {
-            const int x = i % SIDE, y = i / SIDE;
-            double weights = 0, sum = 0;
-            for (int k = 0; k < 25; ++k) {
-                const int o[2] = { k % 5 - 2, k / 5 - 2 }, h[2] = { x / 2 + o[0], y / 2 + o[1] };
-                const double most = 2.5 + 1.5 * radius, tents = (most - abs(2 * h[0] - x)) * (most - abs(2 * h[1] - y));
-                if (abs(o[0]) > radius || abs(o[1]) > radius || abs(o[0]) + abs(o[1]) == 4) continue;
-                if (h[0] < 0 || h[1] < 0 || 2 * h[0] >= SIDE || 2 * h[1] >= SIDE) continue;
-                const float *const at = map[h[1] * SIDE + h[0]];
-                const double off = ((double)at[1] - 10) / (0.01 + 1.0 / 16), weight = tents / (0.1 + off * off);
-                weights += weight, sum += weight * (double)at[0];
-            }
-            NEAR(out[i][0], sum / weights, 1e-5, "the mean");
+            if (count)
+                NEAR(out[i][1], sqrt((variance + 0.01 * mean * mean * fmax(few - 1, 0)) * few), 1e-4, "the deviation");
         }
     }
 }
@@ -2056,9 +2033,8 @@ void test_twins(void)
         changes_are_counted);
     RUN("changes are nearby within the radius, in the picture and in depth", changes_are_nearby);
     RUN("the fewer texels a surface has, the farther its mean may be off", history_spreads);
-    RUN("from half size texels count by tents and planes, of radius 2 without the corners", blur_spreads_half_size);
-    RUN("of half size texels count by tents and planes, and a pixel's four neighbours more where frames are averaged",
-        history_spreads_half_size);
+    RUN("of half size texels count by tents and planes, the nearest more where frames are averaged, no corners",
+        half_size_spreads);
     RUN("of half size each pixel of four is drawn in turn", pixels_take_turns);
     kit_gl_close();
 }
