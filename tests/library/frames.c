@@ -44,6 +44,19 @@ void through(const float m[16], const float p[3], float w, float out[3])
     for (int i = 0; i < 3; ++i) out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i] * w;
 }
 
+double occluded_by(const ssgi_field *f, const ssgi_field_limits *l, const float to[16], const float p[3],
+                       const float n[3])
+{
+    const float square = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
+    float q[3] = { 0 }, turned[3] = { 0 };
+    for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j) {
+            q[k] += to[4 * k + j] * (p[j] - to[12 + j]) / square;
+            turned[k] += to[4 * k + j] * n[j] / sqrtf(square);
+        }
+    return (double)ssgi_field_occlusion(f, l, q, turned);
+}
+
 double series(const float *coefficients, int channels, int bands, const float d[3], const double *factor)
 {
     float basis[HARMONICS];

@@ -74,6 +74,10 @@ double     value_of(int half);
 void       rigid_about(float m[16], const float z[3]);
 void       through(const float m[16], const float p[3], float w, float out[3]);   /* moves a point by a matrix */
 
+/* returns the occlusion of a point with a normal by a field that a matrix turns, scales and moves */
+double     occluded_by(const ssgi_field *f, const ssgi_field_limits *l, const float to[16], const float p[3],
+                       const float n[3]);
+
 enum { HARMONICS = SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS };
 /* Returns the value of a channel of harmonics in a direction. factor: of each band, NULL: 1. */
 double     series(const float *coefficients, int channels, int bands, const float d[3], const double *factor);

@@ -1,7 +1,6 @@
-/* test_library.c - the library of GLSL as source: every condition names a field, every call a function before it, and
-   every row and function can be reached. */
+/* test_library.c - the library of GLSL as source: every condition names a field, and every loop ends; and the tables by
+   which descs are resolved. */
 #include "own.h"
-#include <ctype.h>
 
 enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 
@@ -105,93 +104,21 @@ static void conditions(void)
     t_note("%d conditions in %d entries", count, CODES);
 }
 
-static int code_named(const char *name, size_t n, int before)      /* its last entry before one; -1: none */
+/* Checks that a texture has one unit, and that fetches at u_ssgi_origin, which have a layer, are of textures of yours.
+   Names that do not exist, and what nothing names, are found by group text. */
+static void textures(void)
 {
-    for (int i = before - 1; i >= 0; --i)
-        if (strlen(ssgi_gl__library[i].name) == n && !memcmp(ssgi_gl__library[i].name, name, n)) return i;
-    return -1;
-}
-
-/* Checks all names that are used, and marks them. Each must be an earlier entry, a row, a function of
-   desc.shader.fetch, or a varying that the entry declares. */
-static void names(void)
-{
-    static char reached[CODES], named[ROWS];
-    static const char *const roots[] = { "SSGI_COSINE", "ssgi_sh_zonal", "ssgi_sh_add",
-                                         "ssgi_sh_dot", "ssgi_sh_turn",  "ssgi_field_visibility",
-                                         "ssgi_interreflected", "ssgi_specular_visibility",
-                                         "ssgi_fragment_depth", "ssgi_visibility_at", "ssgi_irradiance_at",
-                                         "ssgi_coefficients_at" };
-    for (size_t i = 0; i < sizeof roots / sizeof *roots; ++i) {
-        const int k = code_named(roots[i], strlen(roots[i]), CODES);
-        if (CHECK(k >= 0, "%s is asked for and does not exist", roots[i])) reached[k] = 1;
-    }
-    for (int i = 0; i < SSGI_GL_PASSES * SSGI_GL__VARIANTS; ++i) {
-        const ssgi_gl__pass *row = &ssgi_gl__passes[i / SSGI_GL__VARIANTS];
-        const char *main_ = row->variant[i % SSGI_GL__VARIANTS].main;
-        const int k = main_ ? code_named(main_, strlen(main_), CODES) : -1;
-        if (main_ && CHECK(k >= 0, "pass %s names %s, which does not exist", row->name, main_)) reached[k] = 1;
-    }
-    for (int i = 0; i < SSGI_GL__DRAWS * 2 * SSGI_GL_STAGES; ++i) {
-        const char *main_ = ssgi_gl__stages[i / 2 / SSGI_GL_STAGES][i / SSGI_GL_STAGES % 2][i % SSGI_GL_STAGES];
-        const int k = main_ ? code_named(main_, strlen(main_), CODES) : -1;
-        if (main_ && CHECK(k >= 0, "a stage is %s, which does not exist", main_)) reached[k] = 1;
-    }
-    for (int i = CODES - 1; i >= 0; --i) {
-        const ssgi_gl__code *c = &ssgi_gl__library[i];
-        int defines = 0, others = 0;
-        /* all entries of one name count as reached if one is */
-        if (code_named(c->name, strlen(c->name), CODES) != i)
-            reached[i] = reached[code_named(c->name, strlen(c->name), CODES)];
-        CHECK(reached[i], "%s: nothing names it", c->name);
-        CHECK(!strncmp(c->name, "ssgi_", 5) || !strncmp(c->name, "SSGI_", 5) || !strncmp(c->name, "main_", 5),
-              "not our name: %s", c->name);
-        for (const char *s = c->text, *line = s; *s; ++s) {
-            size_t n = 0;
-            if (*s == '\n') { line = s + 1; continue; }
-            if (s[0] == '/' && s[1] == '/') { s += strcspn(s, "\n") - 1; continue; }
-            if (*line == '#') { s += strcspn(s, "\n") - 1; continue; }
-            while (ssgi_gl__letter(s[n])) ++n;
-            if (n) {
-                const int ours =
-                    n > 5 && (!memcmp(s, "ssgi_", 5) || !memcmp(s, "SSGI_", 5) || !memcmp(s + 1, "_ssgi_", 6));
-                const int itself = n == strlen(c->name) && !memcmp(s, c->name, n);
-                const int k = itself ? -1 : code_named(s, n, i);
-                int known = k >= 0 || itself || (n > 12 && !memcmp(s, "ssgi_custom_", 12)) || *s == 'v';
-                if (k >= 0) reached[k] = 1;
-                for (int r = 0; r < ROWS && ours; ++r)
-                    if (strlen(ssgi_gl__rows[r].io.name) == n && !memcmp(ssgi_gl__rows[r].io.name, s, n))
-                        known = named[r] = 1;
-                CHECK(!ours || known || !strncmp(s, "SSGI_OVER", n), "%s names %.*s, which does not exist before it",
-                      c->name, (int)n, s);
-                defines |= s > line && isalpha((unsigned char)*line)
-                           && (itself || (!strncmp(c->name, "main_", 5) && n == 4 && !memcmp(s, "main", 4)));
-                /* a constant or a global, whose value follows its name */
-                if (itself && *line != ' ' && !strncmp(s + n, " = ", 3)) break;
-                others |= isalpha((unsigned char)*line) && s > line && s[n] == '(' && strncmp(line, "layout", 6)
-                          && !itself && memcmp(s, "main", 4);
-                s += n - 1;
-            }
-        }
-        CHECK((defines || !strcmp(c->name, "SSGI_KERNEL_TABLE")) && !others, "%s: its text defines %s", c->name,
-              defines ? "something else, too" : "something else");
-    }
-    for (int r = 0; r < ROWS; ++r)
-        for (int k = 0; k < r; ++k)
-            CHECK(ssgi_gl__rows[r].io.kind != SSGI_GL_IO_TEXTURE || ssgi_gl__rows[r].io.slot == ssgi_gl__rows[k].io.slot
-                      || strcmp(ssgi_gl__rows[r].io.name, ssgi_gl__rows[k].io.name),
-                  "texture %s has two units", ssgi_gl__rows[r].io.name);
-    for (int r = 0; r < ROWS; ++r)         /* the emitter names that row: see >>library */
-        CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_layer"), "row %s: nothing can name it",
-              ssgi_gl__rows[r].io.name);
-    for (int r = 0; r < ROWS; ++r) {       /* at u_ssgi_origin fetches have a layer: textures of yours */
+    for (int r = 0; r < ROWS; ++r) {
+        const ssgi_gl_io *const io = &ssgi_gl__rows[r].io;
         char at[80];
         int fetched = 0;
-        snprintf(at, sizeof at, "%s, p + u_ssgi_origin, 0", ssgi_gl__rows[r].io.name);
+        for (int k = 0; k < r; ++k)
+            CHECK(io->kind != SSGI_GL_IO_TEXTURE || io->slot == ssgi_gl__rows[k].io.slot
+                      || strcmp(io->name, ssgi_gl__rows[k].io.name), "texture %s has two units", io->name);
+        snprintf(at, sizeof at, "%s, p + u_ssgi_origin, 0", io->name);
         for (int i = 0; i < CODES; ++i) fetched |= strstr(ssgi_gl__library[i].text, at) != NULL;
-        CHECK(!fetched || ssgi_gl__rows[r].bytes == 1 || strstr(ssgi_gl__rows[r].io.type, "DMS")
-                  || strstr(ssgi_gl__rows[r].io.type, "Array"),
-              "%s is fetched at u_ssgi_origin and no texture of yours", ssgi_gl__rows[r].io.name);
+        CHECK(!fetched || ssgi_gl__rows[r].bytes == 1 || strstr(io->type, "DMS") || strstr(io->type, "Array"),
+              "%s is fetched at u_ssgi_origin and no texture of yours", io->name);
     }
 }
 
@@ -403,5 +330,5 @@ void test_library(void)
     RUN("every field says which passes look at it", fields_have_their_passes);
     RUN("every #if names fields of the desc and their values", conditions);
     RUN("every loop ends, whatever textures and the frame hold", loops);
-    RUN("every name in the library is a function before it or a row; none is out of reach", names);
+    RUN("a texture has one unit, and only your textures have an origin", textures);
 }

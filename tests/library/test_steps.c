@@ -1,8 +1,8 @@
 /* test_steps.c - an embedder that uses only ssgi_gl_steps and the rows draws the kit's pictures; ssgi_gl_step_check
    names wrong bindings; results are composed onto a picture. */
+#include "own.h"
 #include "frames.h"
 #include "kit/kit_run.h"
-#include "t.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -360,45 +360,6 @@ static void names_of_methods(void)
     CHECK(ssgi_gl_steps(NULL, 0, &own, &why) > 0, "%s", why);
 }
 
-/* Returns the value of a field in words: a number, or one of its words. */
-static int value_in(const ssgi_gl_choice *c, const char *text, size_t length)
-{
-    int value = 0;
-    for (const char *word = c->values; *word; ++value, word += strcspn(word, " "), word += *word == ' ')
-        if (strcspn(word, " ") == length && !strncmp(word, text, length)) return value;
-    return atoi(text);
-}
-
-/* Returns a chain in words: "pass=HSAO,blur=1" sets fields of desc and of the chain. After the word lights, which adds
-   pass lights, fields are those of lights. */
-static ssgi_gl_chain chain_in(const char *words)
-{
-    ssgi_gl_chain chain;
-    const ssgi_gl_choice *c;
-    char *desc = (char *)&chain.desc;
-    memset(&chain, 0, sizeof chain);
-    chain.width = chain.height = 8;
-    for (size_t n; *words; words += n, words += *words == ',') {
-        const size_t name = strcspn(words, ",=");
-        int set = 0;
-        n = strcspn(words, ",");
-        if (name == n) {
-            chain.lights.pass = SSGI_GL_PASS_LIGHTS;
-            desc = (char *)&chain.lights;
-            continue;
-        }
-        for (int k = 0; k < 2 && !set; ++k)
-            for (int i = 0; (c = k ? ssgi_gl_chain_choice_at(i) : ssgi_gl_choice_at(i)) != NULL; ++i) {
-                if (strlen(c->name) != name || strncmp(c->name, words, name)) continue;
-                const int value = value_in(c, words + name + 1, n - name - 1);
-                memcpy((k ? (char *)&chain : desc) + c->offset, &value, sizeof value);
-                set = 1;
-            }
-        CHECK(set, "there is no field %s", words);
-    }
-    return chain;
-}
-
 /* Binds one texture of pass blur wrongly, or in another API's words; the sentence must name step, texture, place and
    what it must be. */
 static void wrong_things(void)
@@ -450,7 +411,7 @@ static void wrong_things(void)
     for (int api = 0; api < 2; ++api)
         for (int i = 0; i < (api ? ROWS(vulkan) : ROWS(gl)); ++i) {
             ssgi_gl_step step[STEPS];
-            ssgi_gl_chain chain = chain_in("pass=HSAO,resolution=HALF,blur=1,filter_normals=1,precise=1");
+            ssgi_gl_chain chain = chain_in("hsao,resolution=HALF,blur=1,filter_normals=1,precise=1");
             ssgi_gl_bound inputs[16], target = { "R32F", W, H, 0, 0, 0, 0 };
             const ssgi_gl_bound is = api ? vulkan[i].is : gl[i].is;
             const char *const of = api ? vulkan[i].of : gl[i].of, *const says = api ? vulkan[i].says : gl[i].says;
@@ -556,15 +517,15 @@ static int diagnosed(int counts[16], host *h, const ssgi_gl_chain *chain, const 
 /* Sets a chain of pass debug for a G-buffer. */
 static ssgi_gl_chain debug_of(host *h, const kit_gbuffer *g, const char *set, int orthographic)
 {
-    ssgi_gl_chain chain = chain_in(set);
+    char words[64];
+    snprintf(words, sizeof words, "debug,precise=1,%s", set);
+    ssgi_gl_chain chain = chain_in(words);
     memset(h, 0, sizeof *h);
     h->yours[SSGI_GL_YOUR_DEPTH] = g->depth;
     h->yours[SSGI_GL_YOUR_NORMAL] = g->normal;
-    chain.desc.pass = SSGI_GL_PASS_DEBUG;
     chain.desc.input.orthographic = orthographic;
     chain.width = W;
     chain.height = H;
-    chain.precise = 1;
     return chain;
 }
 
@@ -712,28 +673,28 @@ static void onto_a_picture(void)
 static void refusals(void)
 {
     static const char *const row[][2] = {
-        { "chain.desc.pass", "pass=BLUR" },
-        { "chain.history", "pass=S3HO,blur=1,history=1,coefficients=1" },
-        { "chain.history: filters", "pass=HSAO,history=1" },
-        { "chain: nothing lights", "pass=SSDO,bounce=1" },
-        { "chain: nothing lights", "pass=SSDO,bounce=1,onto=MULTIPLY" },
-        { "chain: nothing lights", "pass=DSS,effect=LIGHT" },
-        { "chain.direct", "pass=SSDO,search=POINTS,bounce=1,views=1,direct=1" },
-        { "chain.direct", "pass=SSDO,search=POINTS,bounce=1,layers=2,direct=1" },
-        { "chain.desc.light.shading", "pass=S3HO,shading=BENT,blur=1" },
-        { "chain.desc.light.shading", "pass=S3HO,shading=BENT,blur=1,history=1" },
-        { "chain.desc.light.shading", "pass=S3HO,shading=BENT,onto=MULTIPLY" },
-        { "chain.desc.light.shading", "pass=S3HO,shading=BENT,lights" },
+        { "chain.desc.pass", "blur" },
+        { "chain.history", "s3ho,blur=1,history=1,coefficients=1" },
+        { "chain.history: filters", "hsao,history=1" },
+        { "chain: nothing lights", "ssdo,bounce=1" },
+        { "chain: nothing lights", "ssdo,bounce=1,onto=MULTIPLY" },
+        { "chain: nothing lights", "dss,effect=LIGHT" },
+        { "chain.direct", "ssdo,search=POINTS,bounce=1,views=1,direct=1" },
+        { "chain.direct", "ssdo,search=POINTS,bounce=1,layers=2,direct=1" },
+        { "chain.desc.light.shading", "s3ho,shading=BENT,blur=1" },
+        { "chain.desc.light.shading", "s3ho,shading=BENT,blur=1,history=1" },
+        { "chain.desc.light.shading", "s3ho,shading=BENT,onto=MULTIPLY" },
+        { "chain.desc.light.shading", "s3ho,shading=BENT,lights.samples=0" },
         { "chain.desc.light.occluded_emitters",
-          "pass=S3HO,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,coefficients=1" },
+          "s3ho,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,coefficients=1" },
         { "chain.desc.light.occluded_emitters",
-          "pass=S3HO,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,blur=1" },
+          "s3ho,packed_coefficients=1,transfer=BOTH,occluded_emitters=1,blur=1" },
         { "chain.desc.light.occluded_emitters",
-          "pass=S3HO,packed_coefficients=1,transfer=REFLECTED,occluded_emitters=1,blur=1,coefficients=1" },
-        { "desc.gather.samples", "pass=HSAO,samples=65" },
-        { "desc.light.packed_coefficients", "pass=S3HO,transfer=BOTH" }
+          "s3ho,packed_coefficients=1,transfer=REFLECTED,occluded_emitters=1,blur=1,coefficients=1" },
+        { "desc.light.packed_coefficients", "s3ho,transfer=BOTH" }
     };
-    const ssgi_gl_chain flat = { .desc.pass = SSGI_GL_PASS_HSAO, .height = 8 };
+    const ssgi_gl_chain flat = { .desc.pass = SSGI_GL_PASS_HSAO, .height = 8 },
+                        many = { .desc = { .pass = SSGI_GL_PASS_HSAO, .gather.samples = 65 }, .width = 8, .height = 8 };
     ssgi_gl_step step, was;
     const char *why = "";
     memset(&step, 7, sizeof step);
@@ -746,6 +707,7 @@ static void refusals(void)
               "%s: %d, \"%s\" (expected %s)", row[i][1], n, why, row[i][0]);
     }
     CHECK(!ssgi_gl_steps(&step, 1, &flat, &why) && !strncmp(why, "chain.width, height", 19), "no width: %s", why);
+    CHECK(!ssgi_gl_steps(&step, 1, &many, &why) && !strncmp(why, "desc.gather.samples", 19), "65 samples: %s", why);
     CHECK(!ssgi_gl_steps(NULL, 0, NULL, NULL), "a chain of NULL");
 }
 
@@ -904,18 +866,18 @@ static void eyes(void)
 static void widths(void)
 {
     static const struct { int at, thickness; const char *chain; } row[] = {
-        { 0, SSGI_GL_THICKNESS_WIDTH, "pass=HSAO" },
-        { 0, SSGI_GL_THICKNESS_WIDTH, "pass=S3HO,coefficients=1,blur=1" },
-        { 0, SSGI_GL_THICKNESS_SLABS, "pass=SSDO,environment=MAP,bounce=SOLID_ANGLE,thickness=SLABS,blur=1" },
-        { 1, SSGI_GL_THICKNESS_WIDTH, "pass=SSDO,bounce=SOLID_ANGLE,direct=1" },
-        { 0, SSGI_GL_THICKNESS_BACK, "pass=HSAO,thickness=BACK" },
-        { -1, 0, "pass=HSAO,thickness=CONSTANT" },
-        { -1, 0, "pass=HSAO,search=MARCH,layers=2" },
-        { -1, 0, "pass=SSAO" },
-        { -1, 0, "pass=SSAO,thickness=BACK" },
-        { 1, SSGI_GL_THICKNESS_WIDTH, "pass=DSS,span=4" },
-        { -1, 0, "pass=DSS,span=4,thickness=CONSTANT" },
-        { 0, SSGI_GL_THICKNESS_WIDTH, "pass=SSAO,thickness=WIDTH" }
+        { 0, SSGI_GL_THICKNESS_WIDTH, "hsao" },
+        { 0, SSGI_GL_THICKNESS_WIDTH, "s3ho,coefficients=1,blur=1" },
+        { 0, SSGI_GL_THICKNESS_SLABS, "ssdo,environment=MAP,bounce=SOLID_ANGLE,thickness=SLABS,blur=1" },
+        { 1, SSGI_GL_THICKNESS_WIDTH, "ssdo,bounce=SOLID_ANGLE,direct=1" },
+        { 0, SSGI_GL_THICKNESS_BACK, "hsao,thickness=BACK" },
+        { -1, 0, "hsao,thickness=CONSTANT" },
+        { -1, 0, "hsao,search=MARCH,layers=2" },
+        { -1, 0, "ssao" },
+        { -1, 0, "ssao,thickness=BACK" },
+        { 1, SSGI_GL_THICKNESS_WIDTH, "dss,span=4" },
+        { -1, 0, "dss,span=4,thickness=CONSTANT" },
+        { 0, SSGI_GL_THICKNESS_WIDTH, "ssao,thickness=WIDTH" }
     };
     const ssgi_gl_desc alone = { .pass = SSGI_GL_PASS_HSAO }, resolved = ssgi_gl_resolve(&alone);
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
@@ -936,7 +898,7 @@ static void widths(void)
     }
     for (int thickness = SSGI_GL_THICKNESS_WIDTH; thickness <= SSGI_GL_THICKNESS_SLABS; ++thickness) {
         ssgi_gl_step step[STEPS];
-        ssgi_gl_chain chain = chain_in("pass=SSDO,search=POINTS,views=1,bounce=SOLID_ANGLE,lights");
+        ssgi_gl_chain chain = chain_in("ssdo,search=POINTS,views=1,bounce=SOLID_ANGLE,lights.samples=0");
         chain.lights.gather.thickness = thickness;
         const char *why = "";
         const int n = ssgi_gl_steps(step, STEPS, &chain, &why);
@@ -965,10 +927,10 @@ static void widths(void)
 static void formats(void)
 {
     static const char *const chains[] = {
-        "pass=SSAO,blur=1", "pass=HSAO,resolution=half,blur=1", "pass=AOF", "pass=SSDO,environment=MAP,bounce=1,blur=1",
-        "pass=S3HO,bands=1,blur=1",
-        "pass=S3HO,packed_coefficients=1,bands=3,blur=1,dialect=VULKAN,dense=1,texture_set=1",
-        "pass=DSS,blur=1", "pass=DSS,effect=LIGHT,environment=MAP,blur=1" };
+        "ssao,blur=1", "hsao,resolution=half,blur=1", "aof", "ssdo,environment=MAP,bounce=1,blur=1",
+        "s3ho,bands=1,blur=1",
+        "s3ho,packed_coefficients=1,bands=3,blur=1,dialect=VULKAN,dense=1,texture_set=1",
+        "dss,blur=1", "dss,effect=LIGHT,environment=MAP,blur=1" };
     for (int i = 0; i < (int)(sizeof chains / sizeof *chains); ++i) {
         ssgi_gl_step step[STEPS];
         ssgi_gl_chain chain = chain_in(chains[i]);
@@ -1008,17 +970,17 @@ static void formats(void)
 static void results(void)
 {
     static const struct { const char *output; int steps; const char *chain; } row[] = {
-        { "o_ssgi_bent", 3, "pass=S3HO,shading=BENT" },
-        { "o_ssgi_bent", 4, "pass=S3HO,shading=BENT,blur=1,coefficients=1" },
-        { "o_ssgi_light", 3, "pass=SSDO,environment=SH,blur=1" },
+        { "o_ssgi_bent", 3, "s3ho,shading=BENT" },
+        { "o_ssgi_bent", 4, "s3ho,shading=BENT,blur=1,coefficients=1" },
+        { "o_ssgi_light", 3, "ssdo,environment=SH,blur=1" },
         /* of light that no filter writes: composed onto the picture */
-        { "o_ssgi_picture", 3, "pass=SSDO,environment=MAP,onto=AMBIENT" },
+        { "o_ssgi_picture", 3, "ssdo,environment=MAP,onto=AMBIENT" },
         /* of the light of virtual point lights, added to the bounce */
-        { "o_ssgi_light", 6, "pass=SSDO,environment=MAP,bounce=SOLID_ANGLE,vpls=1,direct=1,lights" },
-        { "o_ssgi_picture", 10, "pass=DSS,span=4,levels=2,onto=AMBIENT" },
-        { "o_ssgi_ao", 1, "pass=AOF,objects=TEXTURE" },
-        { "o_ssgi_ao", 1, "pass=SSAO,layers=2" },
-        { "o_ssgi_ao", 5, "pass=HSAO,thickness=SLABS,motion=1,blur=1,history=1" }
+        { "o_ssgi_light", 6, "ssdo,environment=MAP,bounce=SOLID_ANGLE,vpls=1,direct=1,lights.samples=0" },
+        { "o_ssgi_picture", 10, "dss,span=4,levels=2,onto=AMBIENT" },
+        { "o_ssgi_ao", 1, "aof,objects=TEXTURE" },
+        { "o_ssgi_ao", 1, "ssao,layers=2" },
+        { "o_ssgi_ao", 5, "hsao,thickness=SLABS,motion=1,blur=1,history=1" }
     };
     for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
         ssgi_gl_step step[STEPS];

@@ -10,20 +10,6 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns a desc in words: a pass and fields, such as "s3ho,search=points,layers=2". */
-static ssgi_gl_desc desc_of(const char *words)
-{
-    const size_t length = strcspn(words, ",");
-    ssgi_gl_chain chain;
-    int pass = 0, preset;
-    memset(&chain, 0, sizeof chain);
-    while (pass < SSGI_GL_PASSES && !ssgi_gl__same(ssgi_gl_pass_name(pass), words, length)) ++pass;
-    chain.desc.pass = (ssgi_gl_pass)pass;
-    CHECK(pass < SSGI_GL_PASSES && !ssgi_gl__set_all(&chain, &preset, words + length + (words[length] == ',')),
-          "no desc: %s", words);
-    return chain.desc;
-}
-
 /* ---- >>variants: every two values of fields, in each pass -------------------------------------------------------- */
 
 enum {
@@ -696,7 +682,7 @@ static void places_in_spirv(void)
     int told = 0, programs = 0;
     if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
     for (size_t i = 0; i < sizeof row / sizeof *row; ++i) {
-        ssgi_gl_desc d = desc_of(row[i].desc);
+        ssgi_gl_desc d = desc_in(row[i].desc);
         d.shader.dialect = SSGI_GL_DIALECT_VULKAN;
         told += asked_of_spirv(folder, &d, row[i].name, row[i].place);
     }
@@ -729,7 +715,7 @@ static void translated(void)
     size_t size;
     if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
     for (int i = 0; i < TEXTS; ++i) {
-        ssgi_gl_desc d = desc_of(descs[i / 2]);
+        ssgi_gl_desc d = desc_in(descs[i / 2]);
         d.shader.dialect = SSGI_GL_DIALECT_VULKAN;
         snprintf(path, sizeof path, "%s/%s.vulkan.%s", folder, ssgi_gl_pass_name(d.pass), endings[i % 2]);
         CHECK(!kit_file_write(path, text, strlen(emit(text, &d, i % 2)), NULL), "%s cannot be written", path);
@@ -742,7 +728,7 @@ static void translated(void)
                  into[k].ending, TEXTS, TEXTS);
         if (!CHECK(!system(line), "%s", line)) continue;
         for (int i = 0; i < TEXTS; ++i) {
-            ssgi_gl_desc d = desc_of(descs[i / 2]);
+            ssgi_gl_desc d = desc_in(descs[i / 2]);
             d.shader.dialect = SSGI_GL_DIALECT_VULKAN;
             snprintf(path, sizeof path, "%s/%s.vulkan.%s.%s", folder, ssgi_gl_pass_name(d.pass), endings[i % 2],
                      into[k].ending);
@@ -1018,7 +1004,7 @@ static void sentences(void)
         }
     }
     for (size_t i = 0; i < sizeof rules / sizeof *rules; ++i) {
-        ssgi_gl_desc d = desc_of(rules[i].desc);
+        ssgi_gl_desc d = desc_in(rules[i].desc);
         const char *const start = rules[i].start ? rules[i].start : "";
         d.shader.fetch = NAMES(start, "desc.shader.fetch:") ? NULL : T_FETCH;
         why = "";
@@ -1155,7 +1141,7 @@ static void defaults(void)
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         char words[400];
         snprintf(words, sizeof words, "%s,%s", rows[i].plain, rows[i].more);
-        const ssgi_gl_desc plain = desc_of(rows[i].plain), whole = desc_of(words);
+        const ssgi_gl_desc plain = desc_in(rows[i].plain), whole = desc_in(words);
         CHECK(ssgi_gl_key(&plain) == ssgi_gl_key(&whole), "%s: its defaults written out give another text", words);
     }
 }
