@@ -1,9 +1,9 @@
-/* vtk.cpp - ambient occlusion in VTK 9 by the pass of vtkSSGIPass.h, beside VTK's own. All surfaces are white and all
-   light is ambient, so the picture is the occlusion. Debian: libvtk9-dev; its version is part of these names.
+/* vtk.cpp - ambient occlusion in VTK 9 by the pass of vtkSSGIPass.h. All surfaces are white and all light is ambient, so
+   the picture is the occlusion. Debian: libvtk9-dev; its version is part of these names.
      c++ -std=c++17 examples/hosts/vtk.cpp -I/usr/include/vtk-9.1 -lvtkRenderingOpenGL2-9.1 -lvtkRenderingCore-9.1 \
      -lvtkIOGeometry-9.1 -lvtkIOImage-9.1 -lvtkFiltersSources-9.1 -lvtkCommonExecutionModel-9.1 \
      -lvtkCommonDataModel-9.1 -lvtkCommonMath-9.1 -lvtkCommonCore-9.1 -lvtksys-9.1 -lGL -o vtk && \
-     ./vtk MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT      writes OUT.png, OUT-own.png (vtkSSAOPass), OUT-pane.png, times */
+     ./vtk MESH.obj ex,ey,ez,tx,ty,tz RADIUS OUT      writes OUT.png, OUT-pane.png */
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #include "vtkSSGIPass.h"
@@ -17,12 +17,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderStepsPass.h>
-#include <vtkSSAOPass.h>
 #include <vtkWindowToImageFilter.h>
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <vector>
 VTK_MODULE_INIT(vtkRenderingOpenGL2);
 
 static void save(vtkRenderWindow *window, const std::string &path)
@@ -34,20 +30,6 @@ static void save(vtkRenderWindow *window, const std::string &path)
     file->SetInputConnection(picture->GetOutputPort());
     file->SetFileName(path.c_str());
     file->Write();
-}
-
-/* Returns the milliseconds of a frame: the median of nine frames. */
-static double timed(vtkRenderWindow *window)
-{
-    std::vector<double> ms;
-    for (int i = 0; i < 9; ++i) {
-        const auto begun = std::chrono::steady_clock::now();
-        window->Render();
-        glFinish();
-        ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
-    }
-    std::nth_element(ms.begin(), ms.begin() + 4, ms.end());
-    return ms[4];
 }
 
 int main(int argc, char **argv)
@@ -74,11 +56,9 @@ int main(int argc, char **argv)
     window->AddRenderer(renderer);
     window->SetOffScreenRendering(1);
     window->SetMultiSamples(0);
-    window->SetSize(960, 540);
     vtkCamera *camera = renderer->GetActiveCamera();
     camera->SetPosition(p), camera->SetFocalPoint(p + 3), camera->SetViewUp(0, 1, 0), camera->SetViewAngle(45);
     renderer->ResetCameraClippingRange();
-    const double plain = timed(window);
 
     vtkNew<vtkRenderStepsPass> steps;
     vtkNew<vtkSSGIPass> ssgi;
@@ -89,20 +69,8 @@ int main(int argc, char **argv)
     window->SetSize(800, 450);
     window->Render();
     window->SetSize(960, 540);
-    const double ours = timed(window);
+    window->Render();
     save(window, out + ".png");
-    ssgi->SetPreset(SSGI_GL_PRESET_FAST);
-    const double fast = timed(window);
-    ssgi->SetPreset(SSGI_GL_PRESET_BALANCED);
-
-    vtkNew<vtkSSAOPass> own;
-    own->SetDelegatePass(steps);
-    own->SetRadius(radius);
-    own->BlurOn();
-    renderer->SetPass(own);
-    const double theirs = timed(window);
-    save(window, out + "-own.png");
-    std::printf("%.0f ms a frame; hsao-fast %.0f, hsao %.0f, vtkSSAOPass %.0f\n", plain, fast, ours, theirs);
 
     /* adds a translucent pane in front of everything, drawn after occlusion: half green over the image */
     vtkNew<vtkPlaneSource> plane;

@@ -14,17 +14,18 @@ for (let i = 0; i + 1 < pairs.length; i += 2) {
     });
     page.on('pageerror', e => said.push(e.message));
     page.on('requestfailed', r => said.push(`${r.url()}: ${r.failure()?.errorText}`));
-    const drawn = async () => {
+    const drawn = async more => {
         const frames = await page.evaluate('globalThis.drawn ?? 0');
-        await page.waitForFunction(`globalThis.drawn > ${frames + 5}`, { timeout: 60000 })
+        await page.waitForFunction(`globalThis.drawn >= ${frames + more}`, { timeout: 60000 })
             .catch(() => said.push(`${address}: no frame in a minute`));
     };
-    await page.setViewport({ width: 800, height: 450 });
+    await page.setViewport({ width: 400, height: 225 });
     await page.goto(`${root}/${address}`);
-    await drawn();
-    await page.setViewport({ width: 960, height: 540 });
-    await drawn();
+    await drawn(1);
+    await page.setViewport({ width: 480, height: 270 });
+    await drawn(4);                                 /* the first may be of the old size, or of an empty texture */
     await page.screenshot({ path });
+    await page.close();
 }
 await browser.close();
 if (said.length) console.log(said.join('\n'));
