@@ -1,5 +1,5 @@
-/* test_surfels.c - surfels on the CPU: tessellation, sizes, reach, form factors, bounds, the dipole; and the passes of
-   deep screen space, drawn, against brute force and the truth. */
+/* test_surfels.c - surfels on the CPU: tessellation, sizes, reach, bounds, the dipole; and the passes of deep screen
+   space, drawn, against brute force and the truth. */
 #include "own.h"
 #include "frames.h"
 
@@ -306,7 +306,7 @@ static void odd_triangles(void)
     }
 }
 
-/* ---- reach, shells, form factors --------------------------------------------------------------------------------- */
+/* ---- reach, shells ----------------------------------------------------------------------------------------------- */
 
 static void reach_and_shells(void)
 {
@@ -341,27 +341,6 @@ static void reach_and_shells(void)
         ssgi_surfel_shell(shell, lengths[k][0], 2, lengths[k][1]);
         CHECK(shell[0] == 0 && shell[1] == 0, "shell %g to %g", shell[0], shell[1]);
     }
-}
-
-/* Compares sums of surfels' form factors with the exact one: a box of 4 x 4 x 4, from its floor's middle. */
-static void closed_forms(void)
-{
-    const float up[3] = { 0, 0, 1 }, origin[3] = { 0, 0, 0 };
-    double room = 0;
-    for (int i = 0; i < 5 * 1600; ++i) {
-        const float a = 0.1f * (float)(i % 40) - 1.95f, b = 0.1f * (float)(i / 40 % 40) - 1.95f;
-        const int side = i / 1600, axis = side / 2;
-        ssgi_surfel s = { .position = { a, b, 4 }, .radius = (float)(0.1 / sqrt(pi)), .normal = { 0, 0, -1 } };
-        if (side < 4) {
-            s.position[axis] = side % 2 ? 2.0f : -2.0f;
-            s.position[1 - axis] = a;
-            s.position[2] = b + 2;
-            s.normal[axis] = side % 2 ? -1.0f : 1.0f;
-            s.normal[2] = 0;
-        }
-        room += (double)form_factor(&s, origin, up);
-    }
-    CHECK(fabs(room - 1) < 2e-3, "a room from inside sums to %.5f", room);
 }
 
 /* ---- pixels that splats cover ------------------------------------------------------------------------------------ */
@@ -1359,7 +1338,6 @@ void test_surfels(void)
     RUN("of 10,000 slivers none turns over, no surfel is outside; discs end at edges where they fit", slivers);
     RUN("degenerate, endless, tiny, far and mirrored triangles", odd_triangles);
     RUN("a reach ends where epsilon is brought; every distance is in one shell", reach_and_shells);
-    RUN("a room of surfels is what it subtends", closed_forms);
     RUN("bounds of spheres and halves of them hold what is deeper than the front, and no more", bounds);
     RUN("surfels are as large on the screen as asked for", radii);
     RUN("predicted surfels are exact, pixels near", predictions);
