@@ -5,8 +5,8 @@
    Truth is kept under build/cache, and so are an interrupted chart's results, which the same command continues. Bad
    input, or a write that fails: one line on stderr, status 2.
 
-   report.c puts sections into records. A section of chart/ is a list of sets, and papers/ has a list of sheets. Both are
-   lines of csv, and name their rows and views. Below lies page/: how records, tables and pictures are written, the
+   report.c puts sections into records. A section of chart/ is a list of sets, and papers/ has a list of sheets. Both
+   are lines of csv, and name their rows and views. Below lies page/: how records, tables and pictures are written, the
    results of a chart that is not complete, and the page that shows them. Below that lies measure/: lines of csv, views
    and their truth; methods drawn, scored and timed. Nothing calls upward; no section calls another. */
 #include <stddef.h>

@@ -19,7 +19,7 @@ enum { ERROR, NOISE, OFF = NOISE + BANDS, MEASURED = OFF + BANDS };
 typedef struct trial {
     int from, count, light, bounce, entries, quick;
     double radius; /* times the scene's own */
-    const char *out, *other, *scenes, *judge;
+    const char *out, *other, *judge;
     request entry[MOST_TRIED];
     double (*seed)[2 * MOST_TRIED][MEASURED]; /* figures by seed, shared by processes; NAN: not measured */
 } trial;
@@ -32,15 +32,6 @@ static double error_of(const stage *s, const kit_image *picture, kit_error *err)
     row r = row_blank(0, s->name, "", "", "");
     if (score_picture(&r, s, picture, err)) return (double)NAN;
     return s->lit ? r.error[s->lit->bounce ? 2 : 1] : r.score.rmse;
-}
-
-/* Makes the name of a seed's scene. With "models" the seed chooses the model, and the camera. */
-static int name_scene(char name[128], const char *scenes, int seed, kit_error *err)
-{
-    snprintf(name, 128, "%s:%d", scenes, seed);
-    return strcmp(scenes, "models") || stage_model(name, seed)
-             ? 0
-             : kit_fail(err, "--scenes models: no package has brought any: make model-deps");
 }
 
 /* Makes a picture of one channel of irradiance or its bounce, divided by its mean. */
@@ -72,7 +63,7 @@ static int noise_of_light(bands *out, stage *s, const request *e, const shaded *
     if (kit_method_find(&method, e->method, err) || kit_method_set(&method, set, NULL)) return 0;
     if (stage_drawn(&more, s, e->method, set, s->radius, err)) return -1;
     const int failed = grey_of(&grey[0], s, picture, err) || grey_of(&grey[1], s, &more, err)
-                    || bands_of(out, NULL, m, &grey[0], &grey[1], err);
+                    || bands_of(out, m, &grey[0], &grey[1], err);
     for (int k = 0; k < 2 && !failed; ++k) kit_image_free(&grey[k]);
     kit_image_free(&more);
     return failed ? -1 : 0;
@@ -102,12 +93,12 @@ static int measure_entry(double figure[MEASURED], stage *s, const request *e, co
 
 static int measure_seed(const trial *t, int k, kit_error *err)
 {
-    char name[128];
+    char name[32];
     stage s;
     mottled m = { .pair = { .data = NULL } };
     const lit of_light = { .rays = SEED_RAYS, .exposure = 1, .bounce = t->bounce };
     view v = { .name = name, .path = name, .lit = t->light ? &of_light : NULL };
-    if (name_scene(name, t->scenes, t->from + k, err)) return -1;
+    snprintf(name, sizeof name, "random:%d", t->from + k);
     if (stage_load(&s, &v, err)) return -1;
     v.radius = (float)t->radius * s.scene.radius;
     if (stage_look(&s, &v, SEED_WIDTH, SEED_HEIGHT, err)) return -1;
@@ -183,7 +174,6 @@ static void print_row(const trial *t, int i, int from)
            own.mean, own.half, own.most, t->from + own.worst, off.mean, off.half, better);
     if (!t->quick) print_bands(t, i, from, NOISE, "noise:");
     if (!t->quick && !t->light) print_bands(t, i, from, OFF, "error:");
-    if (strcmp(t->scenes, "random")) return;
     printf("%-14s by kind:", "");
     for (int kind = 0; kind < KIT_KINDS; ++kind) {
         const spread of = errors_of(t, i, -1, kind);
@@ -232,8 +222,6 @@ static const kit_option options[] = {
     { "--from", "SEED", "The first seed [0].", .kind = KIT_WHOLE, TO(from), .most = 999999 },
     { "--count", "N", "The number of scenes, at least 2 [28].",
       .kind = KIT_WHOLE, TO(count), .least = 2, .most = MOST_SEEDS },
-    { "--scenes", "NAME", "random:KIND takes scenes of one kind, models takes a model of a package for each seed, "
-                          "and model:NAME that model alone [random].", .kind = KIT_TEXT, TO(scenes) },
     { "--light", NULL, "Measures irradiance under the scenes' own environments, without a bounce. Noise of this and "
                        "of --bounce is that to 32 slices, over the mean.", .kind = KIT_FLAG, TO(light) },
     { "--bounce", NULL, "Measures one bounce alone.", .kind = KIT_FLAG, TO(bounce) },
@@ -260,7 +248,7 @@ static int add_entry(void *to, const char *text, kit_error *err)
 
 static int parse(trial *t, int argc, char **argv, kit_error *err)
 {
-    *t = (trial){ .count = 28, .radius = 1, .out = "build/try.csv", .scenes = "random" };
+    *t = (trial){ .count = 28, .radius = 1, .out = "build/try.csv" };
     if (kit_options(t, options, argc, argv, add_entry, err)) return -1;
     t->light |= t->bounce;
     if (!(t->judge && !strcmp(t->judge, "yes")) && t->from + t->count > SEEDS_JUDGED)

@@ -121,11 +121,11 @@ static void walk(void)
 static void waves_of_tiles(void)
 {
     static const char picture[] = "10020" "20100" "1.03.";
-    static const struct { tile tile; double share, waves; } cases[] = {
-        { { "2x2", 2, 2 }, (2 + 2 + 0 + 1 + 2) / 10.0, 5 / 6.0 },
-        { { "4x1", 4, 1 }, (2 + 0 + 2 + 0 + 2) / 10.0, 5 / 6.0 },
-        { { "1x1", 1, 1 }, (1 + 1 + 1 + 1 + 1 + 2) / 26.0, 13 / 15.0 },
-        { { "8x8", 8, 8 }, 1, 1 }
+    static const struct { tile tile; double share; } cases[] = {
+        { { "2x2", 2, 2 }, (2 + 2 + 0 + 1 + 2) / 10.0 },
+        { { "4x1", 4, 1 }, (2 + 0 + 2 + 0 + 2) / 10.0 },
+        { { "1x1", 1, 1 }, (1 + 1 + 1 + 1 + 1 + 2) / 26.0 },
+        { { "8x8", 8, 8 }, 1 }
     };
     told texel[15];
     for (int i = 0; i < 15; ++i) {
@@ -133,10 +133,8 @@ static void waves_of_tiles(void)
         if (picture[i] == '.') texel[i] = (told) { { 0, -1 } };
     }
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        double waves;
-        const double share = share_of(texel, 5, 3, &cases[i].tile, 2, &waves);
-        CHECK(fabs(share - cases[i].share) < 1e-9 && fabs(waves - cases[i].waves) < 1e-9, "%s: %g (%g) of %g (%g)",
-              cases[i].tile.name, share, cases[i].share, waves, cases[i].waves);
+        const double share = share_of(texel, 5, 3, &cases[i].tile, 2);
+        CHECK(fabs(share - cases[i].share) < 1e-9, "%s: %g of %g", cases[i].tile.name, share, cases[i].share);
     }
 }
 
@@ -182,10 +180,7 @@ static void shares_recorded(void)
         CHECK(share == cases[i].share, "case %zu: %g, not %g", i, share, cases[i].share);
     }
     CHECK(isnan(share_recorded(&shares, SECOND, &(ssgi_gl_desc) { 0 }, &tiles[SQUARE])), "a share of no record");
-    const char *was = csv_folder;
-    csv_folder = "examples/lab/cost";
-    const csv recorded = csv_read("shares.csv");
-    csv_folder = was;
+    const csv recorded = csv_read("examples/lab/cost", "shares.csv");
     for (int i = 0; i < BODIES; ++i)
         for (int t = 0; t < TILES; ++t) {
             const double share = share_recorded(&recorded, i, &(ssgi_gl_desc) { 0 }, &tiles[t]);

@@ -12,7 +12,6 @@
 #include <unistd.h>
 #include "lab/against/compared.h"
 #include "lab/against/look.h"
-#include "lab/page/page.h"
 
 #define REPORT "report"
 
@@ -218,20 +217,8 @@ static int print_row(int i)
     return broken;
 }
 
-static void add_csv(FILE *f, int i)
-{
-    for (int k = 0; k < SCENES; ++k) {
-        const found *at = &all.found[i][k];
-        fprintf(f, "%s,%s,%d,%.8f,%+.8f,%.6f,%.6f,%.6f", subjects[i].name, quantities[subjects[i].quantity].word,
-                all.place[k].seed, at->apart.rmse, at->apart.bias, at->share[0], at->share[1], at->doubt);
-        for (int l = 0; l < COMPARED_LAGS; ++l) fprintf(f, ",%.4f", at->apart.across[l]);
-        for (int l = 0; l < COMPARED_LAGS; ++l) fprintf(f, ",%.4f", at->apart.down[l]);
-        fprintf(f, ",%.4f\n", at->apart.patches);
-    }
-}
-
 /* Draws one picture in all scenes by both builds, and prints the rows that belong to this picture. */
-static int compare(const drawing *d, FILE *csv, kit_error *err)
+static int compare(const drawing *d, kit_error *err)
 {
     const subject *u = &subjects[d->first];
     char what[64];
@@ -249,7 +236,6 @@ static int compare(const drawing *d, FILE *csv, kit_error *err)
     for (int i = d->first; i < d->last; ++i) {
         const int breaks = print_row(i) > 0;
         const summary rmse = summarise(all.found[i], RMSE);
-        add_csv(csv, i);
         if (breaks && show(&subjects[i], &all.place[rmse.whose], rmse.worst, err)) return -1;
         all.broken += breaks;
         ++all.compared;
@@ -274,8 +260,8 @@ static int want(const char *name, kit_error *err)
 static const char usage[] = "against OLD_RENDER NEW_RENDER [ROW ..]";
 static const kit_option help[] = {
     { .about = "Compares what two builds of the library draw, on 12 scenes by seed, and the errors of both. It "
-               "prints a line for each row, and writes report/against.csv, and the worst scene of a row that breaks "
-               "a limit as report/against-ROW-QUANTITY.png. The status is 1 if a row breaks a limit, and 2 after an "
+               "prints a line for each row, and writes the worst scene of a row that breaks a limit as "
+               "report/against-ROW-QUANTITY.png. The status is 1 if a row breaks a limit, and 2 after an "
                "error. make against OLD=REVISION builds both programs." },
     { "OLD_RENDER, NEW_RENDER", NULL, "build/render of two checkouts.", .kind = KIT_TOLD },
     { "ROW", NULL, "The row of that name, or all rows whose names begin so [all rows].", .kind = KIT_TOLD },
@@ -310,27 +296,20 @@ static int visit_all(kit_error *err)
 int main(int argc, char **argv)
 {
     kit_error err = { "" };
-    page csv;
     if (kit_help(argc, argv, usage, help)) return 0;
     subjects_load();
     int failed = parse(argc, argv, &err) || folder_make(LOOK_FOLDER, &err) || folder_make(REPORT, &err)
-              || page_open(&csv, &err) || visit_all(&err);
-    if (!failed) {
-        print_head();
-        fputs("row,quantity,seed,rmse,bias,share_old,share_new,share_doubt,across_1,across_3,down_1,down_3,patches\n",
-              csv.file);
-    }
+              || visit_all(&err);
+    if (!failed) print_head();
     for (drawing d = { 0, 0 }; d.first < subjects_count && !failed; d.first = d.last) {
         while (d.last < subjects_count && !strcmp(subjects[d.first].name, subjects[d.last].name)) ++d.last;
-        failed = all.wanted[d.first] && compare(&d, csv.file, &err);
+        failed = all.wanted[d.first] && compare(&d, &err);
     }
     if (!failed && !all.compared) failed = kit_fail(&err, "no row was compared");
-    if (!failed) failed = page_close(&csv, REPORT, "against.csv", &err);
     if (failed) {
         fprintf(stderr, "against: %s\n", err.text);
         return 2;
     }
-    printf("\n%d rows compared, %d differ; not compared: %d; scene by scene: " REPORT "/against.csv\n", all.compared,
-           all.broken, all.missing);
+    printf("\n%d rows compared, %d differ; not compared: %d\n", all.compared, all.broken, all.missing);
     return all.broken > 0;
 }

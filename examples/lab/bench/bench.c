@@ -6,7 +6,6 @@
    than five minutes on a GPU; without one, less than ten for few rows at small sizes, and the tables say so. With all
    methods on a GPU the plan's choices are measured, too. --plan NUMBER measures that choice alone. */
 #include "lab/bench/bench.h"
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,19 +65,6 @@ static int sizes_of(bench *b, const char *text, kit_error *err)
     return kit_fail(err, "--size %s: must be up to %d of 8x8 .. %dx%d, by commas", all, BENCH_SIZES, MOST, MOST);
 }
 
-/* Writes the command of make that has these options, whose names are in capitals there. */
-static void command_of(bench *b, options a)
-{
-    size_t n = (size_t)snprintf(b->command, sizeof b->command, "make bench");
-    for (const kit_option *o = table + 1; o->name; ++o) {
-        const char *const value = a[o->at / sizeof *a];
-        if (!value || o->at == OUT * sizeof *a || n >= sizeof b->command) continue;
-        char *name = b->command + n;
-        n += (size_t)snprintf(name, sizeof b->command - n, " %s=%s", o->name + 2, value);
-        for (; *name && *name != '='; ++name) *name = (char)toupper(*name);
-    }
-}
-
 /* Opens a GL context. Without a context's name: EGL's, or the CPU's if there is no EGL. */
 static int context_open(const char *context, kit_error *err)
 {
@@ -100,7 +86,6 @@ static int bench_open(bench *b, options a, kit_error *err)
     b->both.lights = 1;
     b->both.light[0] = sun;
     b->count = rows_new(b->row, a[METHOD], err);
-    command_of(b, a);
     return b->count < 0 || folder_make(a[OUT], err) ? -1 : 0;
 }
 

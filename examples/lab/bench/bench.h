@@ -92,7 +92,6 @@ typedef struct bench {
     int planned, seconds; /* seconds: that the whole bench took */
     kit_scene scene;
     kit_lighting sky, both;
-    char command[256];
 } bench;
 
 /* Writes bench.csv, the record bench.js and the plan's costs (which make fit reads) into a folder, and prints text. */

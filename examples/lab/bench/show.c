@@ -21,10 +21,10 @@ static int most_of(const bench *b, int frames)
 static void about_times(char out[1200], const bench *b)
 {
     snprintf(out, 1200,
-             "%s on %s: %s, %zu triangles.%s Milliseconds of a frame by %s, median (quartiles) of up to %d frames in "
+             "%s: %s, %zu triangles.%s Milliseconds of a frame by %s, median (quartiles) of up to %d frames in "
              "up to %d rounds of all rows; passes: each timed alone, so that together they may take longer than the "
              "frame.",
-             b->command, kit_gl_name(), b->scene.name, b->scene.mesh.triangles,
+             kit_gl_name(), b->scene.name, b->scene.mesh.triangles,
              kit_gl_is_software()
                  ? " No GPU was found: a CPU drew this, small, few rows. These times say nothing about a GPU."
                  : "",
@@ -100,7 +100,7 @@ int show_all(FILE *f, bench *b, const char *folder, kit_error *err)
 {
     char times[1200], bounds[1600];
     page record, table, plan;
-    if (page_begin(&record, "bench", "full", b->command, kit_gl_name(), err) || page_open(&table, err)) return -1;
+    if (page_begin(&record, "bench", "full", "make bench", kit_gl_name(), err) || page_open(&table, err)) return -1;
     about_times(times, b);
     about_bounds(bounds, b);
     page_heading(record.file, 2, "Milliseconds of each method, and their limits");

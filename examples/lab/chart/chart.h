@@ -15,8 +15,8 @@ extern const section pairs_chart, seeds_chart;
 /* Measures the scenes by seed in one process a core, before there is a GL context, and keeps the results. */
 int seeds_ahead(const options *o, kit_error *err);
 
-/* plan_chart measures the plan on views that it was not fitted on and writes plan.csv, plan-seeds.csv, plan-numbers.csv
-   and plan-summary.csv; plan_fit writes plan-fit.csv, which build/fit reads. plan_ahead measures the scenes by seed
+/* plan_chart measures the plan on views that it was not fitted on and writes plan.csv and plan-summary.csv; plan_fit
+   writes plan-fit.csv, which build/fit reads. plan_ahead measures the scenes by seed
    that judge the plan, and plan_fit_ahead those that fit it, in one process a core. */
 int  plan_ahead(const options *o, kit_error *err);
 int  plan_chart(FILE *record, const options *o, kit_error *err);

@@ -81,28 +81,9 @@ static int bakes_of(FILE *record, const options *o, row *rows, kit_error *err)
 
 /* ---- >>sections -------------------------------------------------------------------------------------------------- */
 
-static int measure(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
-                   kit_error *err)
-{
-    (void)record;
-    return fields_measure(rows, s, entries, count, picture, err) ? -1 : count;
-}
-
-/* Writes the scene's colours in white light from everywhere, dimmed by channel Y of visibility. */
-static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, kit_error *err)
-{
-    static const char *const names[3] = { "albedo.R", "albedo.G", "albedo.B" };
-    const size_t pixels = (size_t)s->frame.width * (size_t)s->frame.height;
-    if (kit_image_new(out, s->frame.width, s->frame.height, "R,G,B,Y", err)) return -1;
-    for (size_t c = 0; c < 4; ++c)
-        for (size_t i = 0; i < pixels; ++i)
-            out->data[c * pixels + i] =
-                (c < 3 ? kit_image_channel(&s->frame, names[c])[i] : 1) * visibility->data[i];
-    return 0;
-}
-
-const section fields_demo = { .name = "aof", .sets = "fields-demo", .width = 320, .height = 180, .measure = measure,
-                              .probe_times = 8, .probe_stride = 13, .range = 0.2, .crop_times = 3, .seen = dimmed };
+const section fields_demo = { .name = "aof", .sets = "fields-demo", .width = 320, .height = 180,
+                              .measure = fields_measure, .probe_times = 8, .probe_stride = 13, .range = 0.2,
+                              .crop_times = 3 };
 const section fields_chart = { .name = "fields", .csv = "chart-aof.csv", .sets = "fields", .width = 240, .height = 135,
-                               .measure = measure, .method = "aof", .own = bakes_of, .probe_times = 8,
+                               .measure = fields_measure, .method = "aof", .own = bakes_of, .probe_times = 8,
                                .probe_stride = 13 };

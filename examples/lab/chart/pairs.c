@@ -6,7 +6,6 @@
 #include <unistd.h>
 #include "lab/measure/csv.h"
 #include "lab/page/page.h"
-#include "lab/page/pictures.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -68,9 +67,10 @@ static int units(const options *o)
 
 static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err)
 {
+    (void)record;
     view v = *view_named(scenes[k / PROBES].view);
     entry entries[MOST_ENTRIES];
-    kit_image picture[MOST_ENTRIES], visible;
+    kit_image visible;
     const int count = units_chosen(entries, "pairs", o);
     char *const name = names[k];
     stage s;
@@ -82,7 +82,7 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
     if (stage_load(&s, &v, err) || stage_look(&s, &v, PAIR_WIDTH, PAIR_HEIGHT, err)) return -1;
     s.stride = LIT_STRIDE;
     s.rays = s.lit->rays;                           /* also in a quick chart: the truth's noise stays below 1 % */
-    if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, QUICK_ROUNDS, 0, picture, err)) return -1;
+    if (stage_compare(&s, err) || measure_entries(rows, &s, entries, count, QUICK_ROUNDS, 0, NULL, err)) return -1;
     row *beside = rows + count;                     /* the row of no occlusion, which measure added */
     beside[1] = beside[0];
     beside[1].label = open_label;
@@ -93,11 +93,6 @@ static int unit(FILE *record, const options *o, int k, row *rows, kit_error *err
         rows[i].scene = "irradiance";
         rows[i].share = rows[i].error[1] / beside[1].error[1];
     }
-    page_heading(record, 3, "%s", s.name);
-    if (section_about(record, &s, "Linear attenuation.", 0, 0, err)) return -1;
-    page_paragraph(record, "The truth's own noise: %.4f of the mean.", beside[2].error[1]);
-    if (pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err)) return -1;
-    for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     kit_image_free(&visible);
     stage_close(&s);
     return count + BESIDE;

@@ -111,7 +111,7 @@ static void judge(verdict *v, FILE *table, const planned_row *r, double asked, i
                 plan_name(text[1], &cheapest, r->numbers.wanted), r->error[best], cost[best], good);
 }
 
-/* Writes a row's numbers as lines of a csv. fits: 1 if the row fits the plan; 2 if its choices were also not timed. */
+/* Writes a row's numbers as lines of a csv. fits: 1; 2 if its choices were not timed. */
 static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
 {
     const ssgi_plan_scene *n = &r->numbers;
@@ -179,10 +179,9 @@ static int plan_summary(FILE *record, const char *out, kit_error *err)
     return page_csv(record, "rows", &table, out, "plan-summary.csv", err);
 }
 
-/* Judges rows first .. count - 1, which are of one set, and counts the verdicts. */
+/* Judges rows first .. count - 1, which are of one set, counts the verdicts, and writes a table (NULL: none). */
 static void judge_all(int scenes, FILE *table, const planned_row *rows, int first, int count)
 {
-    fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", table);
     for (int i = first; i < count; ++i)
         for (int known = 0; known < KNOWN; ++known)
             for (int k = 0; k < WAYS * 2 * PLANNED_ERRORS; ++k) {
@@ -195,18 +194,18 @@ static void judge_all(int scenes, FILE *table, const planned_row *rows, int firs
 int plan_chart(FILE *record, const options *o, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
-    page table, by_seed, numbers;
+    page table;
     int views = 0, count;
     if (planned_views_measure(rows, &views, 0, o->quick || o->visibility, err)) return -1;
     count = views;
     if (planned_seeds_measure(rows, &count, SEEDS_JUDGED, PLANNED_JUDGES, o->quick || o->visibility, err)
-        || page_open(&table, err) || page_open(&by_seed, err) || page_open(&numbers, err))
+        || page_open(&table, err))
         return -1;
+    fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", table.file);
     memset(verdicts, 0, sizeof verdicts);
     planned_smooth(rows, count);
     judge_all(SCENES, table.file, rows, 0, views);
-    judge_all(SEEDS, by_seed.file, rows, views, count);
-    for (int i = 0; i < count; ++i) planned_numbers_csv(numbers.file, &rows[i], 0);
+    judge_all(SEEDS, NULL, rows, views, count);
     page_heading(record, 2, "What a scene needs");
     page_paragraph(record,
                    "ssgi_plan_make on scenes that it was not fitted on: for each error asked for, its choice and the "
@@ -214,8 +213,6 @@ int plan_chart(FILE *record, const options *o, kit_error *err)
                    "at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no choice meets are "
                    "counted apart. Names: scene, radius, light.");
     return plan_summary(record, o->out, err) || page_csv(record, "plan", &table, o->out, "plan.csv", err)
-                   || page_csv(record, "plan", &by_seed, o->out, "plan-seeds.csv", err)
-                   || page_close(&numbers, o->out, "plan-numbers.csv", err)
                ? -1
                : 0;
 }

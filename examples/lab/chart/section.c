@@ -9,7 +9,9 @@
 
 /* ---- >>pictures -------------------------------------------------------------------------------------------------- */
 
-int section_about(FILE *record, stage *s, const char *text, int times, int stride, kit_error *err)
+/* Writes the text above a stage's pictures. If times is not 0, it names the truth's own error, measured at every
+   stride-th pixel with so many times the truth's rays. */
+static int about(FILE *record, stage *s, const char *text, int times, int stride, kit_error *err)
 {
     char own[128] = "", of[64] = "";
     kit_image probe;
@@ -30,9 +32,8 @@ int section_about(FILE *record, stage *s, const char *text, int times, int strid
 }
 
 /* Returns a picture as the demo shows it: a picture of light is exposed. */
-static int seen_of(kit_image *out, const section *c, const stage *s, const kit_image *picture, kit_error *err)
+static int seen_of(kit_image *out, const stage *s, const kit_image *picture, kit_error *err)
 {
-    if (c->seen) return c->seen(out, s, picture, err);
     if (s->lit) return pictures_exposed(out, picture, s->lit->exposure, NULL, 1, err);
     if (kit_image_new(out, picture->width, picture->height, "Y", err)) return -1;
     memcpy(out->data, picture->data, (size_t)out->width * (size_t)out->height * sizeof *out->data);
@@ -85,7 +86,7 @@ static int figures(FILE *record, const options *o, const section *c, const set *
         p[i].picture = &seen[i];
         snprintf(p[i].slug, sizeof p[i].slug, "%s-%s-", c->name, s->name);
         pictures_slug(p[i].slug + strlen(p[i].slug), p[i].label);
-        if (seen_of(&seen[i], c, s, from, err)
+        if (seen_of(&seen[i], s, from, err)
             || figure(record, o, c, s, &p[i], i ? &rows[at] : NULL, &seen[0], err))
             return -1;
     }
@@ -128,13 +129,12 @@ static int set_measure(FILE *record, const section *c, const set *t, const optio
     kit_image picture[MOST_ENTRIES];
     stage s;
     if (open_set(&s, c, t, err)) return -1;
-    if (c->measure) count = c->measure(record, rows, &s, entries, count, picture, err);
-    else if (measure_entries(rows, &s, entries, count, rounds, t->phases, picture, err)) return -1;
-    if (count < 0 || section_about(record, &s, t->about, c->probe_times, c->probe_stride, err)) return -1;
-    const int kept = kept_of(rows, count + s.givens, c, &s, t->see->name);
-    if (c->range > 0 ? figures(record, o, c, t, &s, rows, picture, count, err)
-                     : pictures_thumbs(record, o->out, units_name(), &s, rows, picture, count, err))
+    if (c->measure ? c->measure(rows, &s, entries, count, picture, err)
+                   : measure_entries(rows, &s, entries, count, rounds, t->phases, picture, err))
         return -1;
+    if (about(record, &s, t->about, c->probe_times, c->probe_stride, err)) return -1;
+    const int kept = kept_of(rows, count + s.givens, c, &s, t->see->name);
+    if (c->range > 0 && figures(record, o, c, t, &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
     return kept;
@@ -218,7 +218,6 @@ int section_chart(FILE *record, const section *c, const options *o, kit_error *e
         free(csv.text);
     } else if (c->kind ? page_csv(record, c->kind, &csv, o->out, c->csv, err) : page_close(&csv, o->out, c->csv, err))
         return -1;
-    if (c->parts) page_heading(record, 2, "%s", c->parts);
     page_into(&each, record);
     return 0;
 }

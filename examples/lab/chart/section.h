@@ -21,18 +21,16 @@ struct section {
     const char *method;                    /* for own(): the method that --method must allow */
     /* Measures a set without a view: fills its rows and returns how many there are; -1 = failed. */
     int (*own)(FILE *record, const options *o, row *rows, kit_error *err);
-    /* Fills rows and pictures and returns how many pictures; given rows follow. NULL: measure_entries does it. */
-    int (*measure)(FILE *record, row *rows, stage *s, const entry *entries, int count, kit_image *picture,
-                   kit_error *err);
-    int probe_times, probe_stride;         /* for section_about */
-    /* For the demo. range: of the shown differences; 0: small pictures alone. beside: given pictures are shown, too. */
+    /* Fills rows and pictures; given rows follow. NULL: measure_entries does it. */
+    int (*measure)(row *rows, stage *s, const entry *entries, int count, kit_image *picture, kit_error *err);
+    int probe_times, probe_stride;         /* of the truth's own error: times its rays, at every so many pixels */
+    /* For the demo. range: of the shown differences; 0: no pictures. beside: given pictures are shown, too. */
     double range;
     int crop_times, beside;
-    int (*seen)(kit_image *out, const stage *s, const kit_image *picture, kit_error *err);
 
     /* A section without sets has this many units, each measured by unit(). Their rows make one table, which the view
        kind of report.js shows below title and head; the units' own parts of the page follow. */
-    const char *title, *kind, *parts;      /* parts: the heading above the units' own parts, NULL: none */
+    const char *title, *kind;
     int (*units)(const options *o);
     measuring *unit;
     void (*head)(FILE *record, const options *o);
@@ -43,9 +41,5 @@ struct section {
 /* Returns how many units of a section are asked for. section_chart measures the section. */
 int  section_units(const section *c, const options *o);
 int  section_chart(FILE *record, const section *c, const options *o, kit_error *err);
-
-/* Writes the text above a stage's pictures. If times is not 0, it names the truth's own error, measured at every
-   stride-th pixel with so many times the truth's rays. */
-int  section_about(FILE *record, stage *s, const char *text, int times, int stride, kit_error *err);
 
 #endif

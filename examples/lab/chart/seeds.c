@@ -8,7 +8,6 @@
 #include "lab/measure/mottled.h"
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
-#include "lab/page/pictures.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -77,56 +76,6 @@ static int count_of(const options *o)
     return k;
 }
 
-/* ---- >>picture: the scene as its own light shows it -------------------------------------------------------------- */
-
-/* Maps radiance (channels R, G, B first) and the environment behind the surfaces to [0, 1). Three quarters of the
-   pixels come out below twice a middle grey. */
-static int tone_map(kit_image *picture, const stage *s, kit_error *err)
-{
-    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
-    const float *z = kit_image_channel(&s->frame, "Z");
-    float *bright = calloc(pixels, sizeof *bright);
-    if (!bright) return kit_fail(err, "out of memory");
-    for (size_t i = 0; i < pixels; ++i) {
-        const int x = (int)i % picture->width, y = (int)i / picture->width;
-        float origin[3], direction[3], sky[3];
-        kit_camera_ray(&s->gbuffer.camera, x, y, origin, direction);
-        kit_env_radiance(&s->lighting.env, direction, sky);
-        for (size_t c = 0; c < 3; ++c) {
-            float *const v = &picture->data[c * pixels + i];
-            if (!(z[i] > 0)) *v = sky[c];
-            bright[i] = fmaxf(bright[i], *v);
-        }
-    }
-    kit_middle(bright, pixels);                      /* kit_middle sorts the values */
-    const float by = -0.6f / fmaxf(bright[pixels * 3 / 4], 1e-6f);
-    for (size_t i = 0; i < 3 * pixels; ++i) picture->data[i] = 1 - expf(by * picture->data[i]);
-    free(bright);
-    return 0;
-}
-
-/* Draws out/SLUG.png, the scene under its own environment and lights. Afterwards the stage has no light again. */
-static int own_picture(FILE *record, stage *s, const char *out, const char *slug, const char *note, kit_error *err)
-{
-    kit_image picture;
-    if (kit_light_scene(&s->lighting, &s->scene, err) || stage_drawn(&picture, s, "ssdo-best", "", s->radius, err))
-        return -1;
-    if (tone_map(&picture, s, err) || pictures_save(&picture, "R,G,B", 1, out, slug, ".png", err)) return -1;
-    page_figure(record, slug, "by its own light", note, picture.width, picture.height, 0);
-    kit_image_free(&picture);
-    kit_image_free(&s->lighting.env);
-    memset(&s->lighting, 0, sizeof s->lighting);
-    return 0;
-}
-
-static int small_picture(FILE *record, const stage *s, const options *o, const place *p, const char *name,
-                         const char *note, const kit_image *picture, kit_error *err)
-{
-    char slug[128];
-    snprintf(slug, sizeof slug, "%s-%s", p->name, name);
-    return pictures_thumb(record, o->out, slug, name, note, s, picture, err);
-}
-
 /* ---- >>measure: one scene ---------------------------------------------------------------------------------------- */
 
 /* Opens a scene's stage. Returns 1; 0 if a package is missing, which is written to record unless that is NULL. */
@@ -154,27 +103,15 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
     const view v = { .name = p->name, .path = p->path };
     entry entries[MOST_ENTRIES];
     const int count = units_chosen(entries, parts->rows, o);
-    kit_image picture[MOST_ENTRIES];
     mottled m;
-    char note[128];
     stage s;
     const int there = seed_open(record, &s, &v, parts, err);
     if (there <= 0) return there;
-    snprintf(note, sizeof note, "%zu triangles, %d lights, %s", s.scene.mesh.triangles, s.scene.lights,
-             s.scene.env ? s.scene.env : "none");
-    page_heading(record, 4, "%s", p->name);
-    if (own_picture(record, &s, o->out, p->name, note, err) || mottled_open(&m, &s, err) || stage_compare(&s, err)
-        || small_picture(record, &s, o, p, "truth", "", &s.truth, err)
-        || measure_entries(rows, &s, entries, count, 0, 0, picture, err))
+    if (mottled_open(&m, &s, err) || stage_compare(&s, err)
+        || measure_entries(rows, &s, entries, count, 0, 0, NULL, err))
         return -1;
-    for (int i = 0; i < count; ++i) {
-        const int shown = !strcmp(entries[i].method, "hsao") && !*entries[i].settings;
-        snprintf(note, sizeof note, "error %.3f", rows[i].share);
-        if ((entries[i].quick && mottled_row(&rows[i], &m, &s, err))
-            || (shown && small_picture(record, &s, o, p, "hsao", note, &picture[i], err)))
-            return -1;
-        kit_image_free(&picture[i]);
-    }
+    for (int i = 0; i < count; ++i)
+        if (entries[i].quick && mottled_row(&rows[i], &m, &s, err)) return -1;
     const int most = o->quick ? PEERS_QUICK : MOST_PEERS, behind = count + 1;     /* behind the floor's row */
     const int peers = o->method ? 0 : peers_measure(rows + behind, &s, 0, most, NULL, err);
     for (int i = 0; i < peers; ++i) rows[behind + i].of |= OF_PEER;

@@ -8,8 +8,7 @@ static const double most_more = 1.03;
 
 static int read_then(csv *then, const char *path, kit_error *err)
 {
-    csv_folder = ".";
-    *then = csv_read(path);
+    *then = csv_read(".", path);
     return then->rows ? 0 : kit_fail(err, "%s: cannot be read, or has no rows", path);
 }
 

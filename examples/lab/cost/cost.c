@@ -25,24 +25,6 @@ typedef struct asked { const char *against; work *of; int check, record, plan, p
 
 static work work_of_all;
 
-/* Takes names with commas between them. Unknown names are refused here, as RADV would end the program. */
-static int take_families(void *to, const char *option, const char *text, kit_error *err)
-{
-    static const char known[] = " polaris10 vega10 raven navi10 navi21 vangogh gfx1100 ";
-    work *const w = ((asked *)to)->of;
-    char *const names = strdup(text);                  /* not freed, as the families point into it */
-    w->families = 0;
-    for (char *name = names ? strtok(names, ",") : NULL; name; name = strtok(NULL, ",")) {
-        char word[32];
-        snprintf(word, sizeof word, " %.24s ", name);
-        if (!strstr(known, word))
-            return kit_fail(err, "%s %s: must be some of%swith commas between", option, name, known);
-        if (w->families == MOST_FAMILIES) return kit_fail(err, "%s: at most %d", option, MOST_FAMILIES);
-        w->family[w->families++] = name;
-    }
-    return w->families ? 0 : kit_fail(err, "%s: must be some of%swith commas between", option, known);
-}
-
 static int is_file(const char *text)
 {
     const char *ending = strstr(text, ".frag");
@@ -129,8 +111,6 @@ static const kit_option options[] = {
     { "CHAIN", NULL, "A chain, as build/glsl-text --chain takes it, with each of its passes: hsao,samples=12.",
       .kind = KIT_TOLD },
     { "FILE.frag", NULL, "A shader of yours, or FILE.frag.spv, with its vertex stage beside it.", .kind = KIT_TOLD },
-    { "--family", "NAME,..", "GPU families, by their names in RADV_FORCE_FAMILY [navi21,polaris10].",
-      .kind = KIT_TAKEN, .take = take_families },
     { "--against", "F.csv", "Prints what has changed since the run that wrote this file.",
       .kind = KIT_TEXT,
       .at = offsetof(asked, against) },
@@ -165,8 +145,7 @@ int main(int argc, char **argv)
     w->family[0] = "navi21";
     w->family[1] = "polaris10";
     w->families = 2;
-    csv_folder = ROOM;
-    w->shares = csv_read("shares.csv");
+    w->shares = csv_read(ROOM, "shares.csv");
     int status = w->shares.rows ? 0 : kit_fail(&err, ROOM "/shares.csv: cannot be read: make cost-shares");
     if (!status) status = kit_options(&a, options, argc, argv, take_chain, &err) || add_work(w, &a, &err);
     status = status ? -1 : run(w, &a, &err);

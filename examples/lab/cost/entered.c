@@ -82,8 +82,8 @@ static kit_pass *pass_of(kit_run *run, const body *b, GLuint *program, kit_error
 
 /* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
-/* The shares and waves of a body on one scene, by tile. half, steps: settings of the pass. */
-typedef struct found { double share[TILES], waves[TILES]; int half, steps; } found;
+/* The shares of a body on one scene, by tile. half, steps: settings of the pass. */
+typedef struct found { double share[TILES]; int half, steps; } found;
 static found results[DRAWN][2][SEEDS];
 
 static int read(found *f, const kit_pass *p, const body *b, kit_error *err)
@@ -94,7 +94,7 @@ static int read(found *f, const kit_pass *p, const body *b, kit_error *err)
     const int failed = !texel || (b->times ? times : gathered) > MOST_BITS ||
                        kit_texture_read(p->target[0], p->width, p->height, 2, texel->entered);
     for (int t = 0; t < TILES && !failed; ++t)
-        f->share[t] = share_of(texel, p->width, p->height, &tiles[t], times, &f->waves[t]);
+        f->share[t] = share_of(texel, p->width, p->height, &tiles[t], times);
     f->half = p->desc.gather.resolution > 0;
     f->steps = p->desc.gather.samples;
     free(texel);
@@ -167,17 +167,10 @@ static int measure(int seed, kit_error *err)
 
 static void write_row(FILE *f, const drawn *d, int which, const found *of, int t)
 {
-    double share = 0, waves = 0;
-    int least = 0, most = 0;
-    for (int k = 0; k < SEEDS; ++k) {
-        share += of[k].share[t] / SEEDS;
-        waves += of[k].waves[t] / SEEDS;
-        if (of[k].share[t] < of[least].share[t]) least = k;
-        if (of[k].share[t] > of[most].share[t]) most = k;
-    }
-    fprintf(f, "%s,\"%s\",%s,%s,%d,%d,%s,%.4f,%.4f,%d,%.4f,%d,%.4f\n", d->method, d->settings, cameras[d->camera],
-            bodies[d->body[which]].name, of->half, of->steps, tiles[t].name, share, of[least].share[t], least,
-            of[most].share[t], most, waves);
+    double share = 0;
+    for (int k = 0; k < SEEDS; ++k) share += of[k].share[t] / SEEDS;
+    fprintf(f, "%s,\"%s\",%s,%s,%d,%d,%s,%.4f\n", d->method, d->settings, cameras[d->camera],
+            bodies[d->body[which]].name, of->half, of->steps, tiles[t].name, share);
 }
 
 int entered_write(FILE *f, kit_error *err)
@@ -190,7 +183,7 @@ int entered_write(FILE *f, kit_error *err)
     kit_gl_close();
     if (failed) return -1;
     kit_progress("scenes by seed", 1);
-    fputs("method,settings,camera,body,half,steps,tile,share,least,least_seed,most,most_seed,waves\n", f);
+    fputs("method,settings,camera,body,half,steps,tile,share\n", f);
     for (int i = 0; i < DRAWN; ++i)
         for (int which = 0; which < all[i].count; ++which)
             for (int t = 0; t < TILES; ++t) write_row(f, &all[i], which, results[i][which], t);

@@ -5,8 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 
-const int sizes[SIZES][2] = { { 1280, 720 }, { WIDTH, HEIGHT }, { 2560, 1440 }, { 3840, 2160 } };
-
 /* ---- programs ---------------------------------------------------------------------------------------------------- */
 
 /* Returns the index of the program with these shaders and formats. Takes the shaders over. */
@@ -133,21 +131,15 @@ int work_add_to(work *w, cost_chain *c, const ssgi_gl_chain *chain, kit_error *e
 {
     static ssgi_gl_step steps[MOST_STEPS];
     ssgi_gl_chain described = *chain;
-    for (int i = 0; i < SIZES; ++i) {
-        const int *size = sizes[i];
-        const int adds = size[0] == WIDTH;        /* passes are those of one size */
-        described.width = size[0];
-        described.height = size[1];
-        const int count = chain_steps(steps, &described, SSGI_GL_DIALECT_VULKAN, &c->lacks);
-        if (!count) return 0;
-        if (adds && count + c->passes > MOST_PASSES)
-            return kit_fail(err, "%s: has more than %d passes", c->name, MOST_PASSES);
-        c->targets[i] = target_bytes(steps, count);
-        for (int k = 0; adds && k < count; ++k) {
-            const int program = program_of_step(w, &steps[k], err);
-            if (program < 0) return -1;
-            add_pass(c, program, steps, count, k);
-        }
+    described.width = WIDTH;
+    described.height = HEIGHT;
+    const int count = chain_steps(steps, &described, SSGI_GL_DIALECT_VULKAN, &c->lacks);
+    if (count + c->passes > MOST_PASSES) return kit_fail(err, "%s: has more than %d passes", c->name, MOST_PASSES);
+    if (count) c->targets = target_bytes(steps, count);
+    for (int k = 0; k < count; ++k) {
+        const int program = program_of_step(w, &steps[k], err);
+        if (program < 0) return -1;
+        add_pass(c, program, steps, count, k);
     }
     return 0;
 }
@@ -189,9 +181,9 @@ int work_add_file(work *w, const char *path, kit_error *err)
 /* ---- compiling and counting -------------------------------------------------------------------------------------- */
 
 const assumed assumptions[] = {
-    { "change_mask", { 16, 0 }, "of the 16 places of a tile all have changed, or none" },
-    { "lights", { 1, 1 }, "there is one light" },
-    { "smooth", { 5, 5 }, "the mean of four levels, rounded up" }
+    { "change_mask", { 16, 0 } },           /* of the 16 places of a tile all have changed, or none */
+    { "lights", { 1, 1 } },
+    { "smooth", { 5, 5 } }                  /* the mean of four levels, rounded up */
 };
 const int assumptions_count = (int)(sizeof assumptions / sizeof *assumptions);
 

@@ -5,7 +5,7 @@
 #include "lab/cost/compile.h"
 #include "lab/cost/share.h"
 
-enum { MOST_FAMILIES = 4, MOST_PROGRAMS = 512, MOST_CHAINS = 128, MOST_PASSES = 16, SIZES = 4 };
+enum { MOST_FAMILIES = 4, MOST_PROGRAMS = 512, MOST_CHAINS = 128, MOST_PASSES = 16 };
 enum { WIDTH = 1920, HEIGHT = 1080 };       /* the picture's size, for all modelled milliseconds */
 
 /* A program as the compiler made it for one GPU family, and its counts. */
@@ -42,11 +42,9 @@ typedef struct cost_chain {
     char name[128];
     cost_pass pass[MOST_PASSES];
     int passes;                             /* 0: Vulkan lacks a feature that the chain needs */
-    double targets[SIZES];                  /* bytes of all the chain's targets, by the picture's size */
+    double targets;                         /* bytes of all the chain's targets */
     kit_error lacks;
 } cost_chain;
-
-extern const int sizes[SIZES][2];
 
 typedef struct work {
     const char *family[MOST_FAMILIES];
@@ -73,8 +71,8 @@ int work_program(work *w, cost_program *p, kit_error *err);
 int work_do(work *w, kit_error *err);
 void work_free(work *w);
 
-/* A pass's loops whose end no instruction tells: the turns that are assumed for them, and the reason. */
-typedef struct assumed { const char *pass; int turns[2]; const char *why; } assumed;    /* for BUSY and CALM */
+/* A pass's loops whose end no instruction tells: the turns that are assumed for them, for BUSY and CALM. */
+typedef struct assumed { const char *pass; int turns[2]; } assumed;
 extern const assumed assumptions[];
 extern const int assumptions_count;
 

@@ -42,8 +42,7 @@ int peers_add(work *w, kit_error *err)
     char name[128];
     if (ran < 0) return -1;
     if (!ran) return kit_fail(err, "node cannot run " SCRIPT ": make peers");
-    csv_folder = OUT;
-    const csv all = csv_read("manifest.csv");
+    const csv all = csv_read(OUT, "manifest.csv");
     for (int i = 0; i < all.rows; ++i) {
         const char *kind = csv_text(&all, i, "kind");
         if (!strcmp(kind, "peer")) {

@@ -22,15 +22,15 @@ int bodies_of(int of[BODIES], const char *text);
 
 /* The rectangle of texels that a wave covers. */
 typedef struct tile { const char *name; int width, height; } tile;
-enum { SQUARE, FLAT, SMALL, TILES };
+enum { SQUARE, FLAT, TILES };
 extern const tile tiles[TILES];
 
 /* A texel's bits for two sides of a slice, 1 if it entered. Without a surface the second is -1 less its bits. */
 typedef struct told { float entered[2]; } told;
 
 /* Returns how often a wave enters a body, of the times that it comes to the line: the mean over the waves of which at
-   least one texel shows a surface. waves: the share of such waves among all. */
-double share_of(const told *texel, int width, int height, const tile *t, int times, double *waves);
+   least one texel shows a surface. */
+double share_of(const told *texel, int width, int height, const tile *t, int times);
 
 /* Returns the share that shares.csv records for the gather most like a pass: by its resolution first, then by the
    number of its samples; rows of a camera that stands do not count. NAN: there is none. */

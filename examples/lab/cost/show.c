@@ -70,28 +70,22 @@ static int family_of(const work *w, const device *d)
 
 /* ---- facts that are not in the csv ------------------------------------------------------------------------------- */
 
-/* Prints the loops whose end no instruction tells, with the assumed turns, once for each pass. */
-static void show_assumptions(const work *w)
+/* Prints the loops whose end no instruction tells and for which no turns are assumed. */
+static void show_endless(const work *w)
 {
     for (int i = 0; i < w->programs; ++i) {
         const cost_program *p = &w->program[i];
-        int again = 0, known = 0;
-        for (int k = 0; k < i; ++k) again |= w->program[k].of[0].report.loops && !strcmp(w->program[k].pass, p->pass);
-        if (again || !p->of[0].report.loops) continue;
-        printf("%s: nothing tells when its loop at BB%d ends: ", p->pass, p->of[0].report.endless[0]);
-        for (int k = 0; k < assumptions_count; ++k) {
-            if (strcmp(assumptions[k].pass, p->pass)) continue;
-            printf("%d turns busy, %d calm: %s\n", assumptions[k].turns[BUSY], assumptions[k].turns[CALM],
-                   assumptions[k].why);
-            known = 1;
-        }
-        if (!known) puts("IT IS COUNTED ONCE");
+        int known = !p->of[0].report.loops;
+        for (int k = 0; k < assumptions_count; ++k) known |= !strcmp(assumptions[k].pass, p->pass);
+        if (!known)
+            printf("%s: nothing tells when its loop at BB%d ends: IT IS COUNTED ONCE\n", p->pass,
+                   p->of[0].report.endless[0]);
     }
 }
 
 void show_notes(const work *w, int passes)
 {
-    show_assumptions(w);
+    show_endless(w);
     for (int family = 0; family < w->families; ++family)
         for (int i = 0; i < w->programs; ++i) {
             const compiled *of = &w->program[i].of[family];
@@ -198,12 +192,10 @@ static void write_row(FILE *f, const work *w, int family, const cost_chain *c, c
         }
     }
     fprintf(f, ",%s", p && which < BOUNDS ? bound_names[which] : "");
-    if (p) fputs(",,,,,,,,,\n", f);
+    if (p) fputs(",,,,,,\n", f);
     else {
         const int programs = programs_of(w, c, family, &text, &ms);
-        fprintf(f, ",%d,%zu", programs, text);
-        for (int k = 0; k < SIZES; ++k) fprintf(f, ",%.0f", c->targets[k]);
-        fprintf(f, ",%.1f,%d,\"%s\"\n", ms, s.splats, than_of(w, c));
+        fprintf(f, ",%d,%zu,%.0f,%.1f,%d,\"%s\"\n", programs, text, c->targets, ms, s.splats, than_of(w, c));
     }
 }
 
@@ -215,9 +207,7 @@ void write_costs(FILE *f, const work *w)
           "scratch", f);
     for (int k = 0; k < devices_count; ++k)
         for (way how = BUSY; how < WAYS; ++how) fprintf(f, ",%s %s", devices[k].name, way_names[how]);
-    fputs(",bound,programs,text_bytes", f);
-    for (int k = 0; k < SIZES; ++k) fprintf(f, ",targets_%d", sizes[k][1]);
-    fputs(",compile_ms,splats,cheaper_than\n", f);
+    fputs(",bound,programs,text_bytes,targets_1080,compile_ms,splats,cheaper_than\n", f);
     for (int family = 0; family < w->families; ++family)
         for (int i = 0; i < w->chains; ++i) {
             const cost_chain *c = &w->chain[i];
@@ -235,6 +225,6 @@ void show_costs(const csv *c, int passes)
     if (passes) strcat(keys, ",bound");
     csv_put(stdout, c, keys, passes ? NULL : "bound", 1); /* chains have no bound */
     puts("");
-    csv_put(stdout, c, "family,chain,programs,text_bytes,compile_ms,targets_720,targets_1080,targets_1440,targets_2160,"
-                       "splats,cheaper_than", "bound", 1);
+    csv_put(stdout, c, "family,chain,programs,text_bytes,compile_ms,targets_1080,splats,"
+                       "cheaper_than", "bound", 1);
 }

@@ -133,18 +133,14 @@ static void levels_of(float *level[BANDS + 1], float *room, const shaded *m, con
     }
 }
 
-int bands_of(bands *out, kit_image *picture, const shaded *m, const kit_image *a, const kit_image *b, kit_error *err)
+int bands_of(bands *out, const shaded *m, const kit_image *a, const kit_image *b, kit_error *err)
 {
     const size_t all = (size_t)m->width * (size_t)m->height;
     float *const room = malloc((BANDS + 2) * all * sizeof *room), *l[BANDS + 1];
-    if (!room || (picture && kit_image_new(picture, m->width, m->height, "Y", err))) {
-        free(room);
-        return kit_fail(err, "out of memory");
-    }
+    if (!room) return kit_fail(err, "out of memory");
     levels_of(l, room, m, a->data, b->data);
     for (int k = 0; k < BANDS; ++k) out->rms[k] = sqrt(product_of(l[k], l[k + 1], l[k], l[k + 1], m));
     out->seen = sqrt(product_of(l[1], l[3], l[1], l[3], m));
-    for (size_t i = 0; i < all && picture; ++i) picture->data[i] = 0.5f + 16 * (l[1][i] - l[3][i]);
     free(room);
     return 0;
 }
@@ -177,7 +173,7 @@ int bands_noise(bands *out, const stage *s, kit_run *run, const shaded *m, const
     run->frame.phase = 0.5f;
     kit_run_update(run);
     if (stage_settled(&other, s, run, SETTLED, 0, err)) return -1;
-    const int failed = bands_of(out, NULL, m, &other, picture, err);
+    const int failed = bands_of(out, m, &other, picture, err);
     kit_image_free(&other);
     for (int k = 0; k < BANDS && !failed; ++k) out->rms[k] /= sqrt(2);
     out->seen /= sqrt(2);

@@ -24,13 +24,12 @@ void shaded_free(shaded *m);
    which the eye notices patterns first. NAN: not known. */
 typedef struct bands { double rms[BANDS], seen; } bands;
 extern const bands bands_unknown;
-/* picture (may be NULL): 0.5 + 16 times bands 1 and 2, to be looked at. */
 /* A run's noise, from half of the squared differences of two phases. picture: that of the first phase. */
 int  bands_noise(bands *out, const stage *s, kit_run *run, const shaded *m, const kit_image *picture, kit_error *err);
 /* bands_off: a picture's error against two truths of kit_truth_pair, from which the truth's own noise cancels. By
    chance a mean square may be below 0; then its root counts as negative. bands_mean averages such figures. */
 double bands_mean(const double *rms, int count);
 int  bands_off(bands *out, const shaded *m, const kit_image *a, const kit_image *pair, kit_error *err);
-int  bands_of(bands *out, kit_image *picture, const shaded *m, const kit_image *a, const kit_image *b, kit_error *err);
+int  bands_of(bands *out, const shaded *m, const kit_image *a, const kit_image *b, kit_error *err);
 
 #endif

@@ -7,8 +7,6 @@
 #include <string.h>
 #include "kit/kit.h"
 
-const char *csv_folder = "report";
-
 /* Copies the next cell of a csv from *in to *out without quotes. Returns the character that ended the cell. */
 static char cell(char **in, char **out)
 {
@@ -46,7 +44,7 @@ csv csv_of(char *text, const char *name)
     return c;
 }
 
-csv csv_read_in(const char *folder, const char *name)
+csv csv_read(const char *folder, const char *name)
 {
     char path[1024], *text;
     size_t size;
@@ -54,8 +52,6 @@ csv csv_read_in(const char *folder, const char *name)
     else snprintf(path, sizeof path, "%s/%s", folder, name);
     return csv_of(kit_file_read(&text, &size, path, NULL) ? NULL : text, name);
 }
-
-csv csv_read(const char *name) { return csv_read_in(csv_folder, name); }
 
 const char *csv_text(const csv *c, int row, const char *key)
 {

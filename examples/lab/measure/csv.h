@@ -6,13 +6,9 @@
 
 typedef struct csv { char *text, **cell; int rows, columns; } csv;      /* the first row of cells names the columns */
 
-extern const char *csv_folder;             /* the folder of the files that csv_read opens */
-
-/* Reads a file of csv_folder, or of an absolute path, and keeps it until the program ends. Returns no rows if there is
-   no such file. A file that is no table ends the program. */
-csv         csv_read(const char *name);
-/* Reads a file of a folder as csv_read does. */
-csv         csv_read_in(const char *folder, const char *name);
+/* Reads a file of a folder, or of an absolute path, and keeps it until the program ends. Returns no rows if there is no
+   such file. A file that is no table ends the program. */
+csv         csv_read(const char *folder, const char *name);
 /* Makes a table of a text from malloc, which it takes over. name: for the error message if the text is no table. */
 csv         csv_of(char *text, const char *name);
 const char *csv_text(const csv *c, int row, const char *key);           /* "": there is no such cell */

@@ -8,7 +8,7 @@ void line_open(line *l)
 {
     char name[32];
     snprintf(name, sizeof name, "%s.csv", l->file);
-    l->of = csv_read_in(l->folder, name);
+    l->of = csv_read(l->folder, name);
     l->at = 0;
     if (!l->of.rows) line_fault(l, "");
 }

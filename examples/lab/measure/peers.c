@@ -211,7 +211,7 @@ static int peer_line_read(peer_set *set, const told *is, kit_error *err)
 /* Reads peers.mjs' manifest.csv. Textures 0 to 3 of the set are the caller's. */
 static int peers_read(peer_set *set, kit_error *err)
 {
-    const csv all = csv_read_in(set->folder, "manifest.csv");
+    const csv all = csv_read(set->folder, "manifest.csv");
     int failed = all.rows ? 0 : kit_fail(err, "%s/manifest.csv: cannot be read", set->folder);
     for (told is = { &all, 0 }; is.row < all.rows && !failed; ++is.row) failed = peer_line_read(set, &is, err);
     free(all.cell);

@@ -19,7 +19,6 @@ enum {
     OF_DEEP_LIT = 64,
     OF_PHASES = 128,
     OF_PEER = 256,
-    OF_PLACES = OF_AO | OF_LIT,
     OF_DEEPS = OF_DEEP | OF_DEEP_LIT
 };
 
@@ -31,8 +30,7 @@ enum { SPLIT_ALL, SPLIT_MODEL, SPLIT_NOISE, SPLIT_HUE, SPLIT_HUE_IN_SHADE, SPLIT
 enum { NOISE_BANDS = 4, FIT_GAINS = 9, FIT_EXPONENTS = 9, FITS = 2 * FIT_GAINS * FIT_EXPONENTS };
 
 /* Indices of figure. Fields: the bake; a picture's error. Deep screen space: surfels and splats; each stage's share of
-   the time. Errors of AO and of irradiance on edges, at the border and inside. The mean of a picture where it shows
-   surfaces. */
+   the time. The mean of a picture where it shows surfaces. */
 enum {
     TRIANGLES,
     RESOLUTION,
@@ -52,11 +50,7 @@ enum {
     STAGE,
     STAGES = 7,
     FITTED = STAGE + STAGES,
-    PLACE_ERROR,
-    PLACE_AREA = PLACE_ERROR + KIT_PLACES,
-    PLACE_RMSE = PLACE_AREA + KIT_PLACES,
-    PLACE_BIAS = PLACE_RMSE + KIT_PLACES,
-    LEVEL = PLACE_BIAS + KIT_PLACES,
+    LEVEL,
     NOISE_BAND,
     ERROR_BAND = NOISE_BAND + NOISE_BANDS,
     FIT = ERROR_BAND + NOISE_BANDS,

@@ -1,26 +1,10 @@
-/* score.c - scores a picture against a stage's truth: as a whole; on edges, at the border and inside; and over the
-   phases of its noise. Declared in score.h. */
+/* score.c - scores a picture against a stage's truth: as a whole, and over the phases of its noise. Declared in
+   score.h. */
 #include "lab/measure/score.h"
 #include <math.h>
 #include <stdlib.h>
 
 /* ---- >>picture --------------------------------------------------------------------------------------------------- */
-
-/* Scores edges, border and interior of a picture apart, into the row's figures. */
-static int score_places(row *r, const stage *s, const kit_image *picture, const char *const *channels, kit_error *err)
-{
-    kit_score_place place[KIT_PLACES];
-    if (s->places.width != picture->width || s->places.height != picture->height) return 0;
-    if (kit_score_places(place, picture, &s->truth, channels, s->lit ? 3 : 1, &s->places, err)) return -1;
-    for (int k = 0; k < KIT_PLACES; ++k) {
-        const double none = place[k].score.pixels ? 0 : (double)NAN;
-        r->figure[PLACE_ERROR + k] = place[k].error;
-        r->figure[PLACE_AREA + k] = place[k].area;
-        r->figure[PLACE_RMSE + k] = place[k].score.rmse + none;
-        r->figure[PLACE_BIAS + k] = place[k].score.bias + none;
-    }
-    return 0;
-}
 
 int score_picture(row *r, const stage *s, const kit_image *picture, kit_error *err)
 {
@@ -46,7 +30,6 @@ int score_picture(row *r, const stage *s, const kit_image *picture, kit_error *e
         if (g % 3 == 0) r->share = here.rmse * known;
         if (s->lit) r->error[g] = here.rmse * known;
         if (s->lit) r->bias[g] = here.bias * known;
-        if (!failed && (g == 1 || (g == 3 && !s->between))) failed = score_places(r, s, picture, names[g], err);
     }
     free(mask);
     return failed ? -1 : 0;

@@ -318,8 +318,7 @@ int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
     if (s->rays > LEAST_RAYS) s->rays = s->rays > LEAST_RAYS * fewer ? s->rays / fewer : LEAST_RAYS;
     s->radius = v->radius > 0 ? v->radius : s->scene.radius;
     return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err)
-        || kit_gbuffer_read(&s->frame, &s->gbuffer, err)
-        || kit_image_places(&s->places, &s->frame, &s->gbuffer.camera, s->radius, err) ? -1 : 0;
+        || kit_gbuffer_read(&s->frame, &s->gbuffer, err) ? -1 : 0;
 }
 
 /* Of a single occluder, leaves out of the score the pixels that show it, as its field does not shade itself. */
@@ -345,11 +344,8 @@ int stage_compare(stage *s, kit_error *err)
 {
     const size_t pixels = (size_t)s->frame.width * (size_t)s->frame.height;
     if (stage_truth(s, err) || (!s->lit && !s->between && give_floor(s, err))) return -1;
-    for (size_t i = 0; i < pixels; ++i) {
-        if (!isnan(s->truth.data[i])) continue;
-        kit_image_channel(&s->frame, "Z")[i] = 0;
-        for (size_t k = 0; k < KIT_PLACES; ++k) s->places.data[k * pixels + i] = 0;
-    }
+    for (size_t i = 0; i < pixels; ++i)
+        if (isnan(s->truth.data[i])) kit_image_channel(&s->frame, "Z")[i] = 0;
     if (s->between && leave_out(s, err)) return -1;
     return s->lit ? stage_light(s, err) : stage_ao(s, err);
 }
@@ -367,7 +363,6 @@ int stage_open(stage *s, const view *v, int width, int height, kit_error *err)
 void stage_close(stage *s)
 {
     for (int i = 0; i < s->givens; ++i) kit_image_free(&s->given[i].picture);
-    kit_image_free(&s->places);
     kit_image_free(&s->frame);
     kit_image_free(&s->truth);
     kit_image_free(&s->unit);

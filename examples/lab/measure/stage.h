@@ -78,7 +78,6 @@ typedef struct stage {
     kit_run      lights;
     /* and the light that ambient visibility must not dim: of suns and point lights, unless suns are local */
     kit_image    direct;
-    kit_image    places;                       /* edges, border, interior */
     /* unit: the picture whose error is 1: without light no AO, 1 everywhere; if lit, 0 everywhere */
     kit_image    frame, truth, unit;
     given        given[2];

@@ -311,7 +311,7 @@ const csv = {
 const head = `# Figures
 
 Made by \`make figures\`: change nothing here. Each part names its command, commit, machine and driver. The page
-report/index.html has charts, pictures and every scene, and [figures](figures) has the csv of full runs. \`make
+report/index.html has charts of every scene and pictures, and [figures](figures) has the csv of full runs. \`make
 figures-check\` names the parts whose figures are of other code than today's, by a hash of all shaders and of ssgi.h
 without comments.
 

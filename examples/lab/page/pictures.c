@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 #include "lab/page/page.h"
-#include "lab/page/table.h"
 
 int pictures_save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug,
                   const char *ending, kit_error *err)
@@ -108,30 +107,5 @@ int pictures_thumb(FILE *f, const char *out, const char *slug, const char *label
     page_figure(f, slug, label, note, small.width, small.height, 0);
     kit_image_free(&bright);
     kit_image_free(&small);
-    return 0;
-}
-
-int pictures_thumbs(FILE *f, const char *out, const char *name, const stage *s, const row *rows,
-                    const kit_image *pictures, int count, kit_error *err)
-{
-    static const char *const endings[] = { "truth", "fast", "best" };
-    int fast = 0, best = 0;
-    for (int i = 1; i < count; ++i) {
-        const row *r = &rows[i], *of = &rows[fast];
-        if (of->relative > 1 ? r->relative < of->relative : r->relative < 1 && r->score.rmse < of->score.rmse)
-            fast = i;
-        if (r->score.rmse < rows[best].score.rmse) best = i;
-    }
-    for (int k = 0; k < (best == fast ? 2 : 3); ++k) {
-        const row *r = &rows[k > 1 ? best : fast];
-        const kit_image *from = k ? &pictures[r - rows] : &s->truth;
-        char slug[160], label[160], note[64] = "";
-        snprintf(slug, sizeof slug, "thumb-%s-", name);
-        pictures_slug(slug + strlen(slug), s->name);
-        snprintf(slug + strlen(slug), sizeof slug - strlen(slug), "-%s", endings[k]);
-        snprintf(label, sizeof label, k ? "%s, %s" : "ray-traced truth", r->label, table_settings(r));
-        if (k) snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
-        if (pictures_thumb(f, out, slug, label, note, s, from, err)) return -1;
-    }
     return 0;
 }

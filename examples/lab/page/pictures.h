@@ -25,9 +25,5 @@ int pictures_crops(FILE *f, const char *out, const pictured *p, int count, int k
 /* Shows a stage's picture, shrunk to at most 320 pixels in width, and no finer than its truth. */
 int pictures_thumb(FILE *f, const char *out, const char *slug, const char *label, const char *note, const stage *s,
                    const kit_image *picture, kit_error *err);
-/* Shows small pictures: the truth, the row with the smallest error of those that take no longer than the reference
-   (else the fastest), and the row with the smallest error of all. name: of the table that has them. */
-int pictures_thumbs(FILE *f, const char *out, const char *name, const stage *s, const row *rows,
-                    const kit_image *pictures, int count, kit_error *err);
 
 #endif

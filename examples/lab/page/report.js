@@ -321,8 +321,6 @@ const views = {
                 up: "error (RMSE), share of the truth's mean radiance" })), table(list)]; }),
     scatter: rows => [plotted(scatter(Plot_, rows, { ...Object.values(clocks)[0], y: 'share',
         up: 'error (RMSE), share of having no AO at all' })), table(rows)],
-    memory: rows => [plotted(scatter(Plot_, rows, { x: 'kilobytes', y: 'rmse', height: 280,
-        across: 'kB of the fields', up: 'RMSE of occlusion' })), table(rows)],
     pairs: rows => chosen({ family: all_families(rows), probe: ['all', ...unique(rows.map(r => r.probe))] }, s => {
         const list = of_family(rows, s.family).filter(r => s.probe === 'all' || r.probe === s.probe);
         return [plotted(strips(Plot_, list.filter(r => r.share !== 1), { dot: 'probe',
@@ -339,14 +337,7 @@ const views = {
                 table(sums, Object.keys(sums[0] ?? {}).filter(k => !['label', 'method', 'settings', '_ms', 'share']
                     .includes(k) && sums.some(r => known(r[k]))))].filter(Boolean);
     }),
-    plan: rows => [plotted({ width: 700, height: 420, grid: true, marginLeft: 56,
-        x: { type: 'log', label: 'error asked for', tickFormat: '~g' },
-        y: { type: 'log', label: "the plan's error, measured", tickFormat: '~g' },
-        color: { type: 'categorical', domain: ['good', 'not'], range: ['#0072b2', '#d55e00'], legend: true },
-        marks: typeof Plot === 'undefined' ? [] : [Plot.line([[0.01, 0.01], [0.2, 0.2]], { stroke: '#888' }),
-            Plot.dot(rows.filter(r => r.measured > 0), { x: 'asked', y: 'measured', r: 3, title: tip, tip: true,
-                                                         stroke: r => r.good ? 'good' : 'not' })] }),
-        fold('Pair by pair', () => [table(rows)])],
+    plan: rows => [fold('Pair by pair', () => [table(rows)])],
     sweep: rows => [plotted(curves(Plot_, rows, {})), numbers(rows)],
     'sweep-log': rows => [plotted(curves(Plot_, rows, { log: true })), numbers(rows)],
     paper: rows => paper(rows),
@@ -356,23 +347,7 @@ const views = {
             noise: known(r.noise_seen) ? 1e3 * r.noise_seen : null, error: 1e3 * r.truth_seen }));
         return ['noise', 'error'].map(y => plotted(scatter(Plot_, list, { x: 'ms', y, height: 340,
             across: 'milliseconds', up: `${y} of 1.2 to 8 pixels, thousandths of visibility` }))).concat(
-            table(rows, ['ms', ...Object.keys(rows[0]).filter(k => /^(noise|all|truth)_/.test(k))]));
-    },
-    bench: rows => {
-        const list = rows.filter(r => r.pass === 'frame').map(r => ({ ...r, name: named(r) }));
-        return chosen({ size: unique(list.map(r => `${r.width}x${r.height}`)) }, s => {
-            const at = list.filter(r => `${r.width}x${r.height}` === s.size);
-            const bounds = at.flatMap(r => Object.keys(r).filter(k => k.endsWith('_ms')).map(k =>
-                ({ name: r.name, ms: r[k], bound: k.slice(0, -3) }))).filter(b => b.ms > 0);
-            return [plotted({ width: 900, height: 60 + 18 * at.length, marginLeft: 230,
-                x: { type: 'log', label: 'milliseconds', grid: true, tickFormat: '~g' },
-                y: { domain: at.map(r => r.name), label: null }, color: { legend: true },
-                marks: typeof Plot === 'undefined' ? [] : [
-                    Plot.ruleY(at, { x1: 'lower_quartile', x2: 'upper_quartile', y: 'name', strokeWidth: 7,
-                                     stroke: '#888a' }),
-                    Plot.tickX(at, { x: 'ms', y: 'name', strokeWidth: 3, title: tip, tip: true }),
-                    Plot.dot(bounds, { x: 'ms', y: 'name', stroke: 'bound', r: 3 })] }), table(at)];
-        });
+            table(rows, ['ms', ...Object.keys(rows[0]).filter(k => /^(noise|truth)_/.test(k))]));
     }
 };
 
@@ -403,15 +378,8 @@ function cost(rows) {
         const key = `${s.device} weighed`, of = s.passes === 'chains' ? chains(rows) : rows.filter(r =>
             r.chain === s.passes && r.pass);
         const list = of.filter(r => known(r[key])).map(r => ({ ...r, name: r.pass || r.chain }));
-        return [plotted({ width: 900, height: 50 + 17 * list.length, marginLeft: 180,
-            x: { label: 'milliseconds', grid: true },
-            y: { domain: unique(list.map(r => r.name)), label: null },
-            marks: typeof Plot === 'undefined' ? [] : [
-                Plot.ruleY(list, { x1: `${s.device} calm`, x2: `${s.device} busy`, y: 'name', strokeWidth: 6,
-                                   stroke: '#8886' }),
-                Plot.tickX(list, { x: key, y: 'name', strokeWidth: 3, title: tip, tip: true })] }),
-        table(list, ['name', key, `${s.device} busy`, `${s.device} calm`, 'busy', 'fetches', 'bytes_in', 'bytes_out',
-                     'vgprs', 'waves'])];
+        return [table(list, ['name', key, `${s.device} busy`, `${s.device} calm`, 'busy', 'fetches', 'bytes_in',
+                             'bytes_out', 'vgprs', 'waves'])];
     });
 }
 
@@ -429,20 +397,13 @@ function figure(e) {
               link(e.picture, e.label),
               e.difference ? link(`${e.picture}-difference`, `difference of ${e.label}`) : null);
 }
-/* Shows a record's entries. Pictures that follow each other form a grid; those of many scenes are folded. */
+/* Shows a record's entries. Pictures that follow each other form a grid. */
 function shown_entries(entries) {
     const out = [];
-    let grid = null, scenes = null;
+    let grid = null;
     for (const e of entries) {
         if (!e) continue;
         if (e.columns) { columns = new Map(e.columns.map(c => [c[0], c])); continue; }
-        if (e.level === 4) {                       /* level 4: one of many scenes, whose pictures make a strip */
-            if (!scenes) out.push(scenes = { level: 4, list: [] });
-            scenes.list.push({ name: e.heading, pictures: [] });
-            continue;
-        }
-        if (e.picture && scenes) { scenes.list.at(-1).pictures.push(e); continue; }
-        scenes = e.picture ? scenes : null;
         if (e.picture || e.key) {
             const style = `--wide: ${e.width > 320 ? 400 : 220}px`;
             if (!grid) out.push(grid = el('div', { className: 'grid', style }));
@@ -458,13 +419,7 @@ function shown_entries(entries) {
         else if (e.paragraph) out.push(el('p', { className: e.paragraph.length > 60 ? 'faint' : '' }, e.paragraph));
         else if (e.table) out.push(...(views[e.table] ?? views.rows)(parse(e.csv)));
     }
-    return out.map(e => e.level === 4 ? strip(e.list) : e);
-}
-function strip(list) {
-    const kinds = [...grouped(list, s => s.name.replace(/-\d+$/, '')).entries()];
-    return el('div', {}, ...kinds.map(([kind, scenes]) => fold(`${kind}: ${scenes.length} scenes`, () => scenes.map(s =>
-        el('div', {}, el('h4', { id: s.name }, s.name), el('div', { className: 'grid', style: '--wide: 220px' },
-                                                           ...s.pictures.map(figure)))))));
+    return out;
 }
 
 /* Returns a table of one number for each method and cause, from a record of all sweeps. */
@@ -484,8 +439,6 @@ const terms = [
     ['bytes', 'The bytes that all passes read and write for a pixel. Each texel of their textures counts once.'],
     ['bias, p95, SSIM', 'The mean difference, below 0 if the image is too dark; the difference that 95 % of the pixels '
         + 'stay below; and structural similarity.'],
-    ['edge, border, inside', 'Shares of the squared error: within 3 pixels of a jump in depth; elsewhere, nearer to '
-        + 'the border than the radius is long; and in the rest.'],
     ['model, noise', 'The model\'s error is that of the mean image over phases of the noise. The noise is the '
         + 'deviation of a pixel over these phases.'],
     ['floor', 'The exact answer if the surfaces of one depth layer are thin sheets. Information that would lower this '

@@ -6,23 +6,10 @@
 #include "lab/measure/csv.h"
 #include "lab/page/page.h"
 
-/* Returns a row's settings. The floor and no occlusion have none. Only rows that a method drew have bytes. */
-const char *table_settings(const row *r) { return *r->settings ? r->settings : isnan(r->bytes) ? "" : "defaults"; }
-
 /* ---- >>columns --------------------------------------------------------------------------------------------------- */
 
 typedef struct column { int of; const char *head, *key, *about; size_t offset; int digits, sign; } column;
 #define AT(member) offsetof(row, member)
-#define PLACE(head, key, about, k) \
-    { OF_PLACES, head, key "_error", about, AT(figure[PLACE_ERROR + (k)]), 3, 0 }, \
-    { OF_PLACES, NULL, key "_pixels", "share of the pixels", AT(figure[PLACE_AREA + (k)]), 3, 0 }, \
-    { OF_PLACES, NULL, key "_rmse", "RMSE there", AT(figure[PLACE_RMSE + (k)]), 4, 0 }, \
-    { OF_PLACES, NULL, key "_bias", "bias there", AT(figure[PLACE_BIAS + (k)]), 4, 1 }
-#define BANDED(key, figures, about) \
-    { OF_AO, NULL, key "1", about, AT(figure[figures]), 2, 0 }, \
-    { OF_AO, NULL, key "3", about, AT(figure[(figures) + 1]), 2, 0 }, \
-    { OF_AO, NULL, key "8", about, AT(figure[(figures) + 2]), 2, 0 }, \
-    { OF_AO, NULL, key "20", about, AT(figure[(figures) + 3]), 2, 0 }
 static const column columns[] = {
     { OF_BAKE, "triangles", "triangles", "of the occluder", AT(figure[TRIANGLES]), 0, 0 },
     { OF_BAKE, "texels", "resolution", "along the side of a face of the cube map", AT(figure[RESOLUTION]), 0, 0 },
@@ -83,11 +70,6 @@ static const column columns[] = {
       AT(split[3]), 2, 0 },
     { OF_SPLIT, "in shade", "hue_in_shade_degrees",
       "the same over pixels that occluders keep 5 % or more of their light from", AT(split[4]), 2, 0 },
-    PLACE("edge", "edge", "share of the squared error within 3 pixels of a jump in depth", 0),
-    PLACE("border", "border", "share of the squared error elsewhere, nearer to the border than the radius is long", 1),
-    PLACE("inside", "interior", "share of the squared error everywhere else", 2),
-    BANDED("noise_", NOISE_BAND, "noise of so many pixels where a smooth surface is in shade, thousandths"),
-    BANDED("error_", ERROR_BAND, "error beside the truth, likewise"),
     { OF_AO | OF_LIT | OF_DEEP, "SSIM", "ssim",
       "structural similarity with the truth, 1 = the same", AT(score.ssim), 4, 0 }
 };

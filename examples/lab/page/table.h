@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include "lab/measure/rows.h"
 
-const char *table_settings(const row *r);       /* the row's settings; "defaults" for a method without settings */
 void table_csv(FILE *f, const row *rows, int count, int head);
 /* Adds a table of rows to a record, and once the names and the meanings of the columns. */
 int table_page(FILE *f, const char *kind, const row *rows, int count, kit_error *err);

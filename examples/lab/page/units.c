@@ -47,7 +47,7 @@ int units_chosen(entry out[MOST_ENTRIES], const char *set, const options *o)
 /* ---- >>units ----------------------------------------------------------------------------------------------------- */
 
 enum { MOST_UNITS = 96 + MOST_SEEDS };
-static struct { uint64_t key; int all, count, measured; double begun; char now[32], path[MOST_UNITS][96]; } units;
+static struct { uint64_t key; int all, count, measured; double begun; char path[MOST_UNITS][96]; } units;
 
 uint64_t units_hash(uint64_t h, const char *path)
 {
@@ -142,8 +142,7 @@ int units_measure(FILE *f, const options *o, const char *kind, int k, measuring 
     page part;
     if (!measure(NULL, o, k, NULL, NULL)) return 0;
     ++units.count;
-    snprintf(units.now, sizeof units.now, "%s-%d", kind, k);
-    snprintf(path, sizeof *units.path, FOLDER_CACHE "/unit-%s-%016llx", units.now, (unsigned long long)units.key);
+    snprintf(path, sizeof *units.path, FOLDER_CACHE "/unit-%s-%d-%016llx", kind, k, (unsigned long long)units.key);
     const int before = recalled(f, o, path, rows);
     if (before >= 0) return before;
     if (units.measured)
@@ -158,5 +157,3 @@ int units_measure(FILE *f, const options *o, const char *kind, int k, measuring 
     page_into(&part, f);
     return count;
 }
-
-const char *units_name(void) { return units.now; }

@@ -38,7 +38,4 @@ void units_begin(const options *o, int all);
 void units_end(void);
 /* Measures a unit, or reads what an interrupted chart kept. Returns how many rows, 0: none; -1 = failed. */
 int units_measure(FILE *f, const options *o, const char *kind, int k, measuring *measure, row *rows, kit_error *err);
-/* Returns the name of the unit that is being measured, such as "lit-3". */
-const char *units_name(void);
-
 #endif

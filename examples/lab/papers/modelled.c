@@ -19,7 +19,7 @@ const row *sheet_modelled(sheet *finer, const sheet *t)
     static row rows[MOST_PAPER_ROWS];
     double part[MOST_PAPER_ROWS][PARTS];
     int found = 0;
-    if (!all.rows) all = csv_read_in(SHEET_FOLDER, "modelled.csv");
+    if (!all.rows) all = csv_read(SHEET_FOLDER, "modelled.csv");
     sheet_blank(t, rows);
     for (int i = 0; i < MOST_PAPER_ROWS; ++i) for (int k = 0; k < PARTS; ++k) part[i][k] = (double)NAN;
     for (int i = 0; i < all.rows; ++i) {

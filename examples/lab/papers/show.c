@@ -119,7 +119,7 @@ void show_csv(FILE *f, const sheet *t, const row *rows)
 
 void show_absent(FILE *record, FILE *f, const char *paper)
 {
-    const csv absent = csv_read_in(SHEET_FOLDER, "absent.csv");
+    const csv absent = csv_read(SHEET_FOLDER, "absent.csv");
     for (int i = 0; i < absent.rows; ++i) {
         const sheet none = { .paper = paper, .name = csv_text(&absent, i, "name") };
         const char *why = csv_text(&absent, i, "why");

@@ -16,8 +16,8 @@
 #include "lab/measure/bands.h"
 
 #define DEVICE  "RX 6800"
-enum { MOST_QUIET = 48, GPU_ROUNDS = 25, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32, WALKED = 20 };
-enum { NOISE, ALL, TRUTH, KINDS };
+enum { MOST_QUIET = 48, GPU_ROUNDS = 25, MOST_LINES = MOST_QUIET + PEERS_QUICK + 1, CONVERGED = 32 };
+enum { NOISE, TRUTH, KINDS };
 
 /* A measured entry. ms: on the GPU that draws, or modelled for DEVICE at 1920x1080; NAN: not known. */
 typedef struct line { request entry; char label[336]; double ms; bands of[KINDS]; } line;
@@ -29,8 +29,6 @@ typedef struct quiet {
     line        line[MOST_LINES];
     stage       stage;
     shaded      shaded;
-    kit_settings walked;                               /* the settings of the entry that walk was drawn by */
-    kit_image   walk;
 } quiet;
 
 /* ---- >>measuring ------------------------------------------------------------------------------------------------- */
@@ -44,61 +42,33 @@ static int draw(kit_image *out, quiet *q, const char *method, const char *settin
     return failed;
 }
 
-/* Draws q->walk: these settings at full resolution with many slices and samples. Keeps one that is there. */
-static int walk_whole(quiet *q, const char *method, const char *settings, kit_error *err)
-{
-    char text[384];
-    kit_method m;
-    snprintf(text, sizeof text, "%s%sresolution=full,history=0,slices=%d,samples=%d", settings, *settings ? "," : "",
-             CONVERGED, WALKED);
-    if (kit_method_find(&m, method, err) || kit_method_set(&m, text, err)) return -1;
-    if (q->walk.data && !memcmp(&m.set, &q->walked, sizeof m.set)) return 0;
-    kit_image_free(&q->walk);
-    q->walked = m.set;
-    return draw(&q->walk, q, method, text, err);
-}
-
-static int save(const quiet *q, int number, const char *label, const char *ending, const kit_image *image,
-                kit_error *err)
-{
-    char slug[64], name[80];
-    pictures_slug(slug, label);
-    snprintf(name, sizeof name, "%02d-%s", number, slug);
-    return pictures_save(image, "Y", 0, q->pictures, name, ending, err);
-}
-
-/* Fills in line i: a picture's difference to each reference (NULL: not known). Saves the first one's bands as a
-   picture. */
+/* Fills in line i: a picture's difference to each reference (NULL: not known). Saves the picture if that is asked. */
 static int compare(quiet *q, int i, const kit_image *picture, const kit_image *const reference[KINDS], kit_error *err)
 {
     line *l = &q->line[i];
-    kit_image band = { .data = NULL };
-    int failed = 0;
-    for (int k = 0; k < KINDS && !failed; ++k) {
+    char slug[64], name[80];
+    for (int k = 0; k < KINDS; ++k) {
         l->of[k] = bands_unknown;
-        if (reference[k])
-            failed = bands_of(&l->of[k], q->pictures && !band.data ? &band : NULL, &q->shaded, picture, reference[k],
-                              err);
+        if (reference[k] && bands_of(&l->of[k], &q->shaded, picture, reference[k], err)) return -1;
     }
-    if (!failed && q->pictures)
-        failed = save(q, i, l->label, ".png", picture, err) || save(q, i, l->label, "-band.png", &band, err);
-    kit_image_free(&band);
-    return failed;
+    if (!q->pictures) return 0;
+    pictures_slug(slug, l->label);
+    snprintf(name, sizeof name, "%02d-%s", i, slug);
+    return pictures_save(picture, "Y", 0, q->pictures, name, ".png", err);
 }
 
 static int measure_entry(quiet *q, int i, kit_error *err)
 {
     const request *e = &q->line[i].entry;
-    const kit_image *reference[KINDS] = { NULL, NULL, &q->stage.truth };
+    const kit_image *reference[KINDS] = { NULL, &q->stage.truth };
     kit_image picture = { .data = NULL }, converged = { .data = NULL };
     char text[320];
     kit_method m;
     if (kit_method_find(&m, e->method, err) || draw(&picture, q, e->method, e->settings, err)) return -1;
     if (m.pass == SSGI_GL_PASS_HSAO && !m.set.normal_rays) {        /* it gathers by slices */
         snprintf(text, sizeof text, "%s%sslices=%d", e->settings, *e->settings ? "," : "", CONVERGED);
-        if (draw(&converged, q, e->method, text, err) || walk_whole(q, e->method, e->settings, err)) return -1;
+        if (draw(&converged, q, e->method, text, err)) return -1;
         reference[NOISE] = &converged;
-        reference[ALL] = &q->walk;
     }
     const int failed = compare(q, i, &picture, reference, err);
     kit_image_free(&picture);
@@ -109,7 +79,7 @@ static int measure_entry(quiet *q, int i, kit_error *err)
 /* Measures other libraries' effects as lines. Returns how many there are; -1 = failed. */
 static int measure_peers(quiet *q, kit_error *err)
 {
-    const kit_image *const reference[KINDS] = { NULL, NULL, &q->stage.truth };
+    const kit_image *const reference[KINDS] = { NULL, &q->stage.truth };
     kit_image picture[PEERS_QUICK];
     row rows[PEERS_QUICK];
     const int count = peers_measure(rows, &q->stage, kit_gl_is_software() ? 0 : GPU_ROUNDS, PEERS_QUICK, picture, err);
@@ -136,7 +106,7 @@ static int measure_grain(quiet *q, kit_error *err)
     half.rays = q->rays / 2;
     memset(&half.truth, 0, sizeof half.truth);
     if (stage_truth(&half, err)) return -1;
-    const kit_image *const reference[KINDS] = { NULL, NULL, &half.truth };
+    const kit_image *const reference[KINDS] = { NULL, &half.truth };
     const int failed = compare(q, q->lines++, &q->stage.truth, reference, err);
     kit_image_free(&half.truth);
     return failed;
@@ -157,7 +127,7 @@ static double ms_of(const line *l, const csv *costs)
 
 static void take_modelled(quiet *q)
 {
-    const csv costs = csv_read("cost.csv");
+    const csv costs = csv_read("report", "cost.csv");
     if (!costs.rows) fputs("quiet: note: no report/cost.csv (make cost): no milliseconds, no charts\n", stderr);
     for (int i = 0; i < q->lines; ++i) q->line[i].ms = ms_of(&q->line[i], &costs);
 }
@@ -176,7 +146,7 @@ static int measure_ms(quiet *q, kit_error *err)
 /* ---- >>results --------------------------------------------------------------------------------------------------- */
 
 #define OF_KIND(kind) kind "_1," kind "_3," kind "_8," kind "_20," kind "_seen"
-#define FIGURES_OF "ms," OF_KIND("noise") "," OF_KIND("all") "," OF_KIND("truth")
+#define FIGURES_OF "ms," OF_KIND("noise") "," OF_KIND("truth")
 
 static void put_csv(FILE *f, const quiet *q)
 {
@@ -201,9 +171,9 @@ static int write_files(const quiet *q, kit_error *err)
     page_heading(record.file, 2, "What the eye sees as mottling");
     page_paragraph(record.file,
                    "%s, %d x %d pixels, radius %g: RMS of visibility over %zu pixels of smooth surfaces in shade, by "
-                   "bands of pixels, and of 1.2 to 8. Noise: beside the same with 32 directions. All: beside the same "
-                   "walk at full size with 32 directions of 20 steps. Truth: ray-traced, %d rays a pixel; its own row "
-                   "is the error of half of its rays, which is no smaller than its noise. Milliseconds: %s.",
+                   "bands of pixels, and of 1.2 to 8. Noise: beside the same with 32 directions. Truth: ray-traced, "
+                   "%d rays a pixel; its own row is the error of half of its rays, which is no smaller than its noise. "
+                   "Milliseconds: %s.",
                    q->stage.name, q->size[0], q->size[1], (double)q->stage.radius, q->shaded.pixels, q->rays,
                    kit_gl_is_software() ? "of a " DEVICE " at 1920x1080, modelled" : kit_gl_name());
     put_csv(table.file, q);
@@ -234,9 +204,8 @@ static const char usage[] = "quiet [options] [METHOD[:KEY=VALUE,..]] ..";
 static const kit_option options[] = {
     { .about = "Measures the noise that the eye sees in an image of ambient visibility, in bands of frequency. It "
                "draws one frame; methods that keep history draw a view that stays until it has settled. For each "
-               "entry it prints the RMS difference from the same settings with 32 slices (noise), from full "
-               "resolution with 32 slices of 20 samples (all), and from ray tracing (truth). It adds charts to "
-               "report/index.html." },
+               "entry it prints the RMS difference from the same settings with 32 slices (noise), and from ray tracing "
+               "(truth). It adds charts to report/index.html." },
     { "METHOD[:KEY=VALUE,..]", NULL, "A method of ambient visibility and its settings, as build/render takes them. "
                                      "Without any, the presets are drawn, and the effects that make peers brought.",
       .kind = KIT_TOLD },
@@ -248,7 +217,7 @@ static const kit_option options[] = {
       .kind = KIT_NUMBER, .at = TO(radius), .least = 1e-12, .most = 1e9 },
     { "--rays", "N", "The rays of the ground truth for each pixel [256].",
       .kind = KIT_WHOLE, .at = TO(rays), .least = 2, .most = 65536 },
-    { "--pictures", "FOLDER", "Writes each image there, NN-METHOD.png, and 16 times its noise, NN-METHOD-band.png.",
+    { "--pictures", "FOLDER", "Writes each image there, NN-METHOD.png.",
       .kind = KIT_TEXT, .at = TO(pictures) },
     { "--out", "F.csv", "The file to write [build/quiet.csv].", .kind = KIT_TEXT, .at = TO(out) },
     { "--context", "NAME", "osmesa, egl or egl-es: the source of the GL context. If a GPU draws, milliseconds are "
@@ -271,13 +240,16 @@ static int measure(quiet *q, kit_error *err)
 {
     const view v = { .name = q->scene, .path = q->scene, .ground = 1, .radius = (float)q->radius };
     stage *s = &q->stage;
+    kit_image smooth;
     if (folder_make(FOLDER_CACHE, err) || (q->pictures && folder_make(q->pictures, err)) || kit_gl_open(q->context, err)
         || stage_load(s, &v, err))
         return -1;
     s->rays = q->rays;
-    if (stage_show(s, &v, q->size[0], q->size[1], err) || walk_whole(q, "hsao-best", "", err)
-        || shaded_find(&q->shaded, s, &q->walk, err))
+    if (stage_show(s, &v, q->size[0], q->size[1], err)
+        || draw(&smooth, q, "hsao-best", "resolution=full,history=0,slices=32,samples=20", err)
+        || shaded_find(&q->shaded, s, &smooth, err))
         return -1;
+    kit_image_free(&smooth);
     if (kit_gl_is_software()) take_modelled(q);
     else if (measure_ms(q, err)) return -1;
     const int entries = q->lines;
@@ -299,7 +271,6 @@ int main(int argc, char **argv)
         return 2;
     }
     shaded_free(&q.shaded);
-    kit_image_free(&q.walk);
     stage_close(&q.stage);
     kit_gl_close();
     return 0;

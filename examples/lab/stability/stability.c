@@ -35,12 +35,18 @@ static int add_moves(page *record, const sweep_options *o, kit_error *err)
     return 0;
 }
 
-/* Writes the record and the CSV of all sweeps. */
-static int write_all(const sweep_options *o, const result *results, const int *shown, kit_error *err)
+/* Sweeps the causes that are asked for. Prints their numbers, and writes the record and the CSV. */
+static int stability(const sweep_options *o, kit_error *err)
 {
+    static result r;
+    int count = 0, done = 0;
+    char what[128];
     page record, csv;
-    if (page_begin(&record, "stability", o->causes || o->methods ? "part" : o->quick ? "quick" : "full",
-                   o->quick ? "make stability QUICK=1" : "make stability", kit_gl_name(), err)
+    for (int k = 0; k < sweeps_causes; ++k) count += sweep_asked(&sweeps_cause[k], o);
+    if (!count) return kit_fail(err, "--method: none of these is swept through the causes that are named");
+    if (folder_make(o->out, err)
+        || page_begin(&record, "stability", o->causes || o->methods ? "part" : o->quick ? "quick" : "full",
+                      o->quick ? "make stability QUICK=1" : "make stability", kit_gl_name(), err)
         || page_open(&csv, err))
         return -1;
     page_paragraph(record.file,
@@ -48,31 +54,16 @@ static int write_all(const sweep_options *o, const result *results, const int *s
                    "closed, 1 open), against ray-traced truth; no gain, no fit. Methods with light are under white "
                    "light from everywhere, where irradiance is ambient visibility.");
     show_csv_head(csv.file);
-    for (int k = 0; k < sweeps_causes; ++k)
-        if (shown[k] && show_cause(record.file, csv.file, &results[k], err)) return -1;
+    puts("cause,what,method,number");
+    for (int k = 0; k < sweeps_causes; ++k) {
+        const cause *c = &sweeps_cause[k];
+        if (!sweep_asked(c, o)) continue;
+        snprintf(what, sizeof what, "%d of %d: %s", ++done, count, c->name);
+        if (sweep(&r, c, o, what, err) || show_cause(record.file, csv.file, &r, err)) return -1;
+        show_numbers(stdout, &r);
+    }
     if (!o->causes && !o->methods && add_moves(&record, o, err)) return -1;
     return page_close(&csv, o->out, "stability.csv", err) || page_end(&record, o->out, "stability", err) ? -1 : 0;
-}
-
-static int stability(const sweep_options *o, kit_error *err)
-{
-    static result results[MOST_CAUSES];
-    int shown[MOST_CAUSES], count = 0, done = 0;
-    char what[128];
-    if (folder_make(o->out, err)) return -1;
-    for (int k = 0; k < sweeps_causes; ++k)
-        count += shown[k] = (!o->causes || o->cause[k]) && sweep_has(&sweeps_cause[k], o);
-    if (!count) return kit_fail(err, "--method: none of these is swept through the causes that are named");
-    for (int k = 0; k < sweeps_causes; ++k) {
-        if (!shown[k]) continue;
-        snprintf(what, sizeof what, "%d of %d: %s", ++done, count, sweeps_cause[k].name);
-        if (sweep(&results[k], &sweeps_cause[k], o, what, err)) return -1;
-    }
-    if (write_all(o, results, shown, err)) return -1;
-    puts("cause,what,method,number");
-    for (int k = 0; k < sweeps_causes; ++k)
-        if (shown[k]) show_numbers(stdout, &results[k]);
-    return 0;
 }
 
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */

@@ -169,11 +169,11 @@ static void curves_of(result *r, const sweep_options *o, int truths[2])
     }
 }
 
-int sweep_has(const cause *c, const sweep_options *o)
+int sweep_asked(const cause *c, const sweep_options *o)
 {
     int has = c->curves != NULL && !o->methods;
     for (int m = 0; m < sweeps_methods; ++m) has |= sweeps_method[m].of & c->of && (!o->methods || o->method[m]);
-    return has;
+    return has && (!o->causes || o->cause[c - sweeps_cause]);
 }
 
 static int draw(shot *s, int m, int width, kit_frames *kept, kit_error *err)

@@ -10,8 +10,8 @@ typedef struct sweep_options {
     int quick, causes, methods, cause[MOST_CAUSES], method[MOST_METHODS];
 } sweep_options;
 
-/* Returns whether any of the methods that are asked for is swept through a cause. */
-int sweep_has(const cause *c, const sweep_options *o);
+/* Returns whether a cause is asked for, and whether any of the methods that are asked for is swept through it. */
+int sweep_asked(const cause *c, const sweep_options *o);
 
 /* Makes the curves of a cause. what: for kit_progress. */
 int sweep(result *r, const cause *c, const sweep_options *o, const char *what, kit_error *err);

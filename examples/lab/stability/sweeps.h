@@ -74,7 +74,7 @@ typedef struct result result;
 typedef struct cause {
     const char *name, *title, *across, *about;     /* across: the value that varies, and its unit, for the axis */
     int kind, of, width, rays, log;        /* log 1: the chart's axis across is logarithmic */
-    void (*at)(look *l);
+    const char *look;
     double value[MOST_VALUES];             /* up to the first 0 after the first value */
     int told, format;                      /* told 1: with motion vectors; format: of depth */
     int (*curves)(result *r, kit_error *err);      /* sweeps the library's CPU functions instead of frames */
@@ -88,9 +88,15 @@ enum { MOST_CAUSES = 64 };
 extern cause sweeps_cause[MOST_CAUSES];
 extern int sweeps_causes;
 /* Reads the lines of methods.csv and causes.csv; call it first. Columns: see swept and cause; of: words with + between;
-   depth: a name of format; look: a function of sweeps.c or, without values, of maths.c. */
+   depth: a name of format; look: rows of looks.csv or, without values, a function of maths.c. */
 #define SWEEPS_FOLDER "examples/lab/stability"
 void sweeps_load(void);
+
+/* Rows of looks.csv make a frame, one after another. A row sets a member of look to its numbers; "box" adds one; "like"
+   does what the rows of another look do; "scene", "only" and "set" are texts, and one that ends with = gets the value.
+   Any other word names the number, for the rows behind. Numbers are expressions of + - * / ( ), named numbers, v (the
+   value), f (the frame), h (the height), sin, cos, tan (degrees), int, from(x) (1 from 0 on, else 0), max and pow. */
+int  looks_has(const char *name);
 
 /* Returns the look of a cause at a value, in one of its frames. */
 look sweeps_look(const cause *c, double value, int frame);
