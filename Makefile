@@ -247,8 +247,7 @@ against: build/against build/render
 COST_NEEDS = mesa-vulkan-drivers libvulkan-dev glslang-dev libspirv-cross-c-shared-dev
 LIBS_cost  = -lvulkan -lspirv-cross-c-shared -Wl,--start-group $$(pkg-config --libs --static spirv) \
              -lglslang-default-resource-limits -Wl,--end-group -lstdc++
-COSTS      = cost $(addprefix cost-,test record shares plan papers peers)
-$(COSTS): deps
+cost cost-test cost-record cost-shares cost-plan cost-papers cost-peers: deps
 	@sh examples/kit/install.sh $(COST_NEEDS) || true
 	@for h in vulkan/vulkan.h glslang/Include/glslang_c_interface.h spirv_cross/spirv_cross_c.h; do \
 	  echo "#include <$$h>" | $(CC) -E - >/dev/null 2>&1 || { echo "skipped: everything: no $$h"; exit 0; }; done; \
@@ -414,8 +413,9 @@ clean:
 
 .PHONY: page-deps model-deps all install uninstall wasm npm dist passes glsl-out demo demo-test test test-all tree \
         figures figures-check chart light seeds papers errors peers stability quiet against fit fit-gpu fit-cost bench \
-        $(COSTS) glsl mutants failures deps unlisted shared format clean viewer glfw viewer-test hosts-test web web-deps \
-        web-test web-first web-shots webgpu-test vulkan vulkan-test pictures
+        cost cost-test cost-record cost-shares cost-plan cost-papers cost-peers glsl mutants failures deps unlisted \
+        shared format clean viewer glfw viewer-test hosts-test web web-deps web-test web-first web-shots webgpu-test \
+        vulkan vulkan-test pictures
 
 # A window onto a scene, with every method live: build/viewer MODEL (OBJ, glTF, PLY .., or a built-in scene's name).
 viewer: build/viewer
@@ -548,7 +548,7 @@ build/vulkan-replay: tests/examples/vulkan.cpp
 LIBS_vulkan        = -O1
 LIBS_vulkan-replay = -fsanitize=address,undefined -fno-sanitize-recover=undefined
 build/vulkan build/vulkan-replay: $(VULKAN_O)
-	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -g $^ -lvulkan $(KIT_LIBS) $(LIBS_$(@F)) -o $@
+	@echo '  c++ $@'; $(CXX) $(VULKAN_FLAGS) -g $(filter %.cpp %.o,$^) -lvulkan $(KIT_LIBS) $(LIBS_$(@F)) -o $@
 
 # Chains drawn by lavapipe with the validation layer, beside the kit's pictures.
 VULKAN_NEEDS = mesa-vulkan-drivers vulkan-validationlayers libvulkan-dev nlohmann-json3-dev g++ glslang-tools

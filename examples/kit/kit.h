@@ -104,6 +104,7 @@ float  kit_middle(float *v, size_t count); /* also reorders v; returns the media
 double kit_dot(const double a[3], const double b[3]);
 void   kit_cross(const double a[3], const double b[3], double out[3]);      /* out must be neither a nor b */
 int    kit_unit(double v[3]);                   /* makes v a unit vector; 0: it has no direction and is left as it is */
+int    kit_face(const float corner[9], double n[3]);   /* writes the unit normal of a triangle's face; 0: it has none */
 /* Computes the FNV-1a hash of size bytes, continued from h; the first call passes KIT_HASH. */
 #define KIT_HASH UINT64_C(14695981039346656037)
 uint64_t kit_hash(uint64_t h, const void *data, size_t size);

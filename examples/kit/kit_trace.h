@@ -106,6 +106,7 @@ struct kit_truth {
     const struct scattering *within;
 };
 
+static inline int kit_shown(float z) { return z > 0 && z < SSGI_FAR; }      /* whether a pixel shows a surface */
 static inline int kit_skipped(int x, int y, int stride) { return x % stride != stride / 2 || y % stride != stride / 2; }
 
 static inline double kit_facing(const float n[3], const float d[3])

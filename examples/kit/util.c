@@ -360,3 +360,14 @@ int kit_unit(double v[3])
     for (int i = 0; i < 3; ++i) v[i] /= length;
     return 1;
 }
+
+int kit_face(const float corner[9], double n[3])
+{
+    double a[3], b[3];
+    for (int i = 0; i < 3; ++i) {
+        a[i] = (double)corner[3 + i] - (double)corner[i];
+        b[i] = (double)corner[6 + i] - (double)corner[i];
+    }
+    kit_cross(a, b, n);
+    return kit_unit(n);
+}

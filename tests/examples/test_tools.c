@@ -190,7 +190,7 @@ static void own_chain(void)
         { "hsao,multisampled=1 --300es own", "desc.input.multisampled: " },
         { "dss,surfels=1 --vulkan own", "desc.pass: surfels" },
         { "hsao own", "in which language" }, { "hsao --330", "the folder is missing" },
-        { "hsao --glsl own", "--glsl: must be" } };
+        { "hsao --glsl own", "--glsl: there is no such option" } };
     works("$G --chain hsao,depth=linear --300es --450 own && test $(ls own | wc -l) = 13 && "
           "grep -q 'SSGI_SAMPLES = 8' own/*2-hsao.450.frag && ! grep -q ssgi_decode own/*.frag");
     works("$G --chain ssdo-points,environment=SH,bounce=PATCH,layers=8,views=4,view_layers=8,lights.layers=8,"

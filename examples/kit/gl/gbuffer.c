@@ -86,15 +86,9 @@ static float *vertices_new(const kit_mesh *mesh)
     for (size_t t = 0; vertices && t < mesh->triangles; t++) {
         const float *p = mesh->position + 9 * t;
         float facing[3];
-        double a[3], b[3], face[3], length;
-        for (int i = 0; i < 3; i++) {
-            a[i] = (double)p[3 + i] - (double)p[i];
-            b[i] = (double)p[6 + i] - (double)p[i];
-        }
-        for (int i = 0; i < 3; i++)
-            face[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-        length = sqrt(face[0] * face[0] + face[1] * face[1] + face[2] * face[2]);
-        for (int i = 0; i < 3; i++) facing[i] = length > 0 ? (float)(face[i] / length) : 0.0f;
+        double face[3];
+        const int faces = kit_face(p, face);
+        for (int i = 0; i < 3; i++) facing[i] = faces ? (float)face[i] : 0.0f;
         for (size_t k = 0; k < 3; k++) {
             float *v = vertices + (3 * t + k) * VERTEX_FLOATS;
             memcpy(v, p + 3 * k, 3 * sizeof *v);
@@ -704,34 +698,17 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
 
 int kit_gbuffer_read_depth(kit_image *frame, const kit_gbuffer *g, kit_error *err)
 {
-    float *depth = malloc((size_t)g->width * (size_t)g->height * sizeof *depth);
-    kit_image image;
-    if (!depth) return kit_fail(err, "G-buffer: no memory to read %d x %d texels", g->width, g->height);
-    if (kit_image_new(&image, g->viewport[2], g->viewport[3], "Z", err)) { free(depth); return -1; }
-    const int failed = kit_texture_read(g->depth, g->width, g->height, 1, depth);
-    for (size_t i = 0; i < (size_t)image.width * (size_t)image.height && !failed; i++) {
-        const double z = view_depth(g, (double)depth[texel_of(g, i)]);
-        if (z > 0) image.data[i] = (float)z;
-    }
-    free(depth);
-    if (failed) {
-        kit_image_free(&image);
-        return kit_fail(err, "G-buffer: %s cannot read its depth back", kit_gl_name());
-    }
-    *frame = image;
-    return 0;
+    kit_gbuffer first = *g;
+    first.layers = 1;
+    first.normal = first.albedo = first.direct = first.back = first.slabs = 0;
+    return kit_gbuffer_read(frame, &first, err);
 }
 
 void kit_gbuffer_free(kit_gbuffer *gbuffer)
 {
+    const GLuint textures[] = { gbuffer->back,   gbuffer->slabs,  gbuffer->motion, gbuffer->depth,
+                                gbuffer->normal, gbuffer->albedo, gbuffer->object, gbuffer->direct };
     layers_free(gbuffer);
-    glDeleteTextures(1, &gbuffer->back);
-    glDeleteTextures(1, &gbuffer->slabs);
-    glDeleteTextures(1, &gbuffer->motion);
-    glDeleteTextures(1, &gbuffer->depth);
-    glDeleteTextures(1, &gbuffer->normal);
-    glDeleteTextures(1, &gbuffer->albedo);
-    glDeleteTextures(1, &gbuffer->object);
-    glDeleteTextures(1, &gbuffer->direct);
+    glDeleteTextures((GLsizei)(sizeof textures / sizeof *textures), textures);
     memset(gbuffer, 0, sizeof *gbuffer);
 }

@@ -395,12 +395,6 @@ int kit_method_find(kit_method *method, const char *name, kit_error *err)
     return kit_fail(err, "--method %s: %s (--list names all)", name, why + strlen("name: "));
 }
 
-static const char *const renamed[][2] = { { "thin", "thickness" },     { "hard", "falloff" },
-                                          { "exact", "residual" },     { "aside", "offscreen_growth" },
-                                          { "every", "keep_small" },   { "closely", "near_samples" },
-                                          { "front", "near_depth" },   { "nearest", "distance_clamp" },
-                                          { "steepest", "max_slope" }, { "casters", "occluders" } };
-
 /* Returns the number of a word among a setting's words, in any case and with - for _; or a number as it stands. -1: no
    such word. */
 static int choice_of(const char *words, const char *value)
@@ -470,9 +464,6 @@ static int set_one(kit_method *m, const char *text, size_t length, kit_error *er
         set_value(&m->set, of->rows[i], v);
         return 0;
     }
-    for (size_t i = 0; i < sizeof renamed / sizeof *renamed; ++i)
-        if (!strcmp(key, renamed[i][0]))
-            return kit_fail(err, "--set %s=%s: the setting is %s since version 0.2", key, value, renamed[i][1]);
     return kit_fail(err, "--set %s=%s: method %s has no such setting (--list %s names them)", key, value, m->name,
                     m->name);
 }

@@ -471,13 +471,8 @@ static void make_rock(kit_build *b, const double *v, uint32_t key)
     kit_patch(b, 2 * cells, cells, rock_surface, &r);
     for (size_t t = first; t < b->scene.mesh.triangles && v[5] > 0; t++) {
         const float *const p = b->scene.mesh.position + 9 * t;
-        double e1[3], e2[3], n[3];
-        for (int i = 0; i < 3; i++) {
-            e1[i] = (double)p[3 + i] - (double)p[i];
-            e2[i] = (double)p[6 + i] - (double)p[i];
-        }
-        kit_cross(e1, e2, n);
-        if (!kit_unit(n)) continue;
+        double n[3];
+        if (!kit_face(p, n)) continue;
         for (int i = 0; i < 9; i++) b->scene.mesh.normal[9 * t + (size_t)i] = (float)n[i % 3];
     }
 }

@@ -65,24 +65,11 @@ static void ray_of(const kit_camera *c, double x, double y, float origin[3], flo
     }
 }
 
-static int by_depth(const void *a, const void *b)
-{
-    const float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
 /* Writes the face's normal, turned toward the ray's origin; returns 1 if the ray hits it from behind. */
 static int facing(double n[3], const kit_mesh *m, uint32_t triangle, const float direction[3])
 {
-    const float *p = m->position + 9 * (size_t)triangle;
-    double e[2][3], way[3];
-    for (int i = 0; i < 3; i++) {
-        e[0][i] = (double)p[3 + i] - (double)p[i];
-        e[1][i] = (double)p[6 + i] - (double)p[i];
-        way[i] = (double)direction[i];
-    }
-    kit_cross(e[0], e[1], n);
-    kit_unit(n);
+    const double way[3] = { (double)direction[0], (double)direction[1], (double)direction[2] };
+    kit_face(m->position + 9 * (size_t)triangle, n);
     const int behind = kit_dot(n, way) > 0;
     for (int i = 0; i < 3 && behind; i++) n[i] = -n[i];
     return behind;
@@ -142,11 +129,8 @@ static shown look_through(const viewer *v, const kit_camera *c)
     s.seen = (double)hits / RAYS;
     if (!hits) return s;
     s.backs = (double)backs / hits;
-    float sorted[RAYS];
-    memcpy(sorted, depth, sizeof sorted);
-    qsort(sorted, (size_t)hits, sizeof *sorted, by_depth);
-    s.nearest = (double)sorted[hits / 25];
-    s.middle = (double)sorted[hits / 2];
+    s.middle = (double)kit_middle(depth, (size_t)hits);        /* sorts them */
+    s.nearest = (double)depth[hits / 25];
     const double height = c->fovy > 0 ? 2 * tan((double)c->fovy * KIT_PI / 360) * s.middle : (double)c->ortho_height;
     s.radius = (float)(v->share * height);
     for (int k = 0; k < hits; k += PROBED, probed++) {

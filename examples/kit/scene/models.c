@@ -156,10 +156,13 @@ typedef struct answer {
     kit_error err;
 } answer;
 
-static int send_all(int to, const void *data, size_t size)
+/* Writes all of data into a pipe, or reads it from there. */
+enum { SEND, TAKE };
+static int move_all(int way, int file, void *data, size_t size)
 {
-    for (const char *p = data; size > 0;) {
-        const ssize_t n = write(to, p, size < 1 << 30 ? size : 1 << 30);
+    for (char *p = data; size > 0;) {
+        const size_t part = size < 1 << 30 ? size : 1 << 30;
+        const ssize_t n = way == SEND ? write(file, p, part) : read(file, p, part);
         if (n < 0 && errno == EINTR) continue;
         if (n <= 0) return -1;
         p += n;
@@ -175,16 +178,18 @@ static void one_line(char *text)
         if ((unsigned char)*c < ' ') *c = ' ';
 }
 
-static int take_all(int from, void *data, size_t size)
+/* An array of the answer; of: the address of the pointer to it. */
+typedef struct array { void *of; size_t bytes; } array;
+enum { ARRAYS = 5 };
+
+static void arrays_of(array all[ARRAYS], const answer *a, kit_mesh *mesh, kit_object **object)
 {
-    for (char *p = data; size > 0;) {
-        const ssize_t n = read(from, p, size < 1 << 30 ? size : 1 << 30);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) return -1;
-        p += n;
-        size -= (size_t)n;
-    }
-    return 0;
+    const size_t n = a->triangles;
+    all[0] = (array){ &mesh->position, 9 * n * sizeof *mesh->position };
+    all[1] = (array){ &mesh->normal, 9 * n * sizeof *mesh->normal };
+    all[2] = (array){ &mesh->albedo, 3 * n * sizeof *mesh->albedo };
+    all[3] = (array){ &mesh->object, n * sizeof *mesh->object };
+    all[4] = (array){ object, (size_t)a->objects * sizeof **object };
 }
 
 /* Reads a model in the other process; it does not return. */
@@ -205,12 +210,15 @@ static void read_apart(int to, size_t size, const char *note, const char *path, 
         memcpy(a.upper, mesh.upper, sizeof a.upper);
         memcpy(a.origin, mesh.origin, sizeof a.origin);
     }
-    const size_t n = a.triangles;
-    _exit(send_all(to, &a, sizeof a) || send_all(to, mesh.position, 9 * n * sizeof *mesh.position)
-          || send_all(to, mesh.normal, 9 * n * sizeof *mesh.normal)
-          || send_all(to, mesh.albedo, 3 * n * sizeof *mesh.albedo)
-          || send_all(to, mesh.object, n * sizeof *mesh.object)
-          || send_all(to, object, (size_t)a.objects * sizeof *object));
+    array all[ARRAYS];
+    void *data;
+    arrays_of(all, &a, &mesh, &object);
+    int failed = move_all(SEND, to, &a, sizeof a);
+    for (int i = 0; i < ARRAYS && !failed; ++i) {
+        memcpy(&data, all[i].of, sizeof data);
+        failed = move_all(SEND, to, data, all[i].bytes);
+    }
+    _exit(failed != 0);
 }
 
 /* Reads the other process's answer. Returns 1 if it is complete; else the process ended too early, or no memory. */
@@ -218,24 +226,21 @@ static int take_answer(answer *a, kit_mesh *mesh, kit_object **object, int from)
 {
     *mesh = (kit_mesh){ 0 };
     *object = NULL;
-    if (take_all(from, a, sizeof *a)) return 0;
+    if (move_all(TAKE, from, a, sizeof *a)) return 0;
     if (a->failed) return 1;
-    const size_t n = a->triangles;
-    mesh->triangles = n;
-    mesh->position = malloc(9 * n * sizeof *mesh->position);
-    mesh->normal = malloc(9 * n * sizeof *mesh->normal);
-    mesh->albedo = malloc(3 * n * sizeof *mesh->albedo);
-    mesh->object = malloc(n * sizeof *mesh->object);
-    *object = malloc((size_t)a->objects * sizeof **object);
+    array all[ARRAYS];
+    int failed = 0;
+    mesh->triangles = a->triangles;
+    arrays_of(all, a, mesh, object);
+    for (int i = 0; i < ARRAYS && !failed; ++i) {
+        void *const data = malloc(all[i].bytes);
+        memcpy(all[i].of, &data, sizeof data);
+        failed = !data || move_all(TAKE, from, data, all[i].bytes);
+    }
     memcpy(mesh->lower, a->lower, sizeof a->lower);
     memcpy(mesh->upper, a->upper, sizeof a->upper);
     memcpy(mesh->origin, a->origin, sizeof a->origin);
-    return mesh->position && mesh->normal && mesh->albedo && mesh->object && *object
-        && !take_all(from, mesh->position, 9 * n * sizeof *mesh->position)
-        && !take_all(from, mesh->normal, 9 * n * sizeof *mesh->normal)
-        && !take_all(from, mesh->albedo, 3 * n * sizeof *mesh->albedo)
-        && !take_all(from, mesh->object, n * sizeof *mesh->object)
-        && !take_all(from, *object, (size_t)a->objects * sizeof **object);
+    return !failed;
 }
 
 static int ended(int status, const char *path, const char *format, kit_error *err)

@@ -1,6 +1,7 @@
 /* soup.c - collects triangles in the order in which a reader finds them, and finds the objects that they form. Declared
    in kit_obj.h. */
 #include "kit/kit_obj.h"
+#include "kit/kit_build.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -47,13 +48,11 @@ int kit_soup_triangle(kit_soup *s, const float *const position[3], const float *
 {
     double e[3][3], n[3], longest = 0;
     for (int k = 0; k < 3; ++k) {
-        double squared = 0;
         for (int i = 0; i < 3; ++i) e[k][i] = (double)position[(k + 1) % 3][i] - (double)position[k][i];
-        for (int i = 0; i < 3; ++i) squared += e[k][i] * e[k][i];
-        longest = fmax(longest, squared);
+        longest = fmax(longest, kit_dot(e[k], e[k]));
     }
-    for (int i = 0; i < 3; ++i) n[i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
-    double area = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    kit_cross(e[0], e[1], n);
+    const double area = sqrt(kit_dot(n, n));
     if (!(area > 1e-9 * longest)) return 0; /* with so small an area floats cannot tell the triangle from a line */
     float *to = kit_array_add(&s->position, 9, sizeof(float), from),
           *turned = kit_array_add(&s->normal, 9, sizeof(float), from);
@@ -66,9 +65,9 @@ int kit_soup_triangle(kit_soup *s, const float *const position[3], const float *
     }
     memcpy(colour, albedo, 3 * sizeof(float));
     for (int k = 0; k < 3; ++k) {
-        double own[3], length = 0;
+        double own[3];
         for (int i = 0; i < 3; ++i) own[i] = normal[k] ? (double)normal[k][i] : 0;
-        length = sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
+        const double length = sqrt(kit_dot(own, own));
         memcpy(to + 3 * k, position[k], 3 * sizeof(float));
         for (int i = 0; i < 3; ++i) turned[3 * k + i] = (float)(length > 0 ? own[i] / length : n[i] / area);
     }
@@ -259,13 +258,7 @@ void kit_soup_take(kit_soup *s, kit_mesh *mesh, kit_object **object, int *object
                         .object = s->number.data };
     memcpy(mesh->origin, s->origin, sizeof mesh->origin);
     s->position.data = s->normal.data = s->albedo.data = s->number.data = NULL;
-    for (int i = 0; i < 3; ++i) {
-        mesh->lower[i] = mesh->upper[i] = mesh->position[i];
-        for (size_t k = 0; k < 3 * mesh->triangles; ++k) {
-            mesh->lower[i] = fminf(mesh->lower[i], mesh->position[3 * k + (size_t)i]);
-            mesh->upper[i] = fmaxf(mesh->upper[i], mesh->position[3 * k + (size_t)i]);
-        }
-    }
+    kit_mesh_bounds(mesh);
     if (!object) return;
     *object = s->objects.data;
     *objects = (int)s->objects.count;

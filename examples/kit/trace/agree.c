@@ -6,8 +6,6 @@
 /* about so many pixels of a row are checked */
 enum { ACROSS = 512 };
 
-static int seen(float z) { return z > 0 && z < SSGI_FAR; }
-
 /* Writes the vector from the pixel before to the next, along a row (axis 0, to the right) or column (1, up), in view
    space. Returns 0 if they are not on one surface: on a plane u (1/z; z if orthographic) has one step. */
 static int along(const kit_camera *camera, const float *z, int x, int y, int axis, double way[3])
@@ -16,7 +14,7 @@ static int along(const kit_camera *camera, const float *z, int x, int y, int axi
     const float depth[3] = { z[-next], *z, z[next] };
     double u[3], o[3], d[3];
     for (int i = 0; i < 3; ++i) {
-        if (!seen(depth[i])) return 0;
+        if (!kit_shown(depth[i])) return 0;
         u[i] = camera->fovy > 0 ? 1 / (double)depth[i] : (double)depth[i];
     }
     const double before = u[1] - u[0], after = u[2] - u[1];

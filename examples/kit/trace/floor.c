@@ -17,8 +17,6 @@ typedef struct floor_job {
     float       *out;
 } floor_job;
 
-static int surface(const floor_job *job, size_t pixel) { return job->z[pixel] > 0 && job->z[pixel] < SSGI_FAR; }
-
 /* Writes the frame's unit normal; if it has none, the direction toward the viewer. */
 static void floor_normal(const floor_job *job, size_t pixel, const double ray[3], double n[3])
 {
@@ -48,7 +46,7 @@ static int joined(const floor_job *job, int xa, int ya, int xb, int yb)
 {
     const size_t a = (size_t)ya * (size_t)job->width + (size_t)xa, b = (size_t)yb * (size_t)job->width + (size_t)xb;
     double oa[3], da[3], ob[3], db[3], na[3], nb[3], pa[3], pb[3], half[2];
-    if (!surface(job, a) || !surface(job, b)) return 0;
+    if (!kit_shown(job->z[a]) || !kit_shown(job->z[b])) return 0;
     const double za = (double)job->z[a], zb = (double)job->z[b];
     kit_camera_half(&job->camera, half);
     kit_camera_view_ray(&job->camera, xa, ya, oa, da);
@@ -76,7 +74,7 @@ static void floor_place(void *context, int y)
         double o[3], d[3];
         kit_camera_view_ray(&job->camera, x, y, o, d);
         for (int k = 0; k < 3; ++k)
-            job->position[3 * i + (size_t)k] = surface(job, i) ? (float)(o[k] + d[k] * (double)job->z[i]) : 0;
+            job->position[3 * i + (size_t)k] = kit_shown(job->z[i]) ? (float)(o[k] + d[k] * (double)job->z[i]) : 0;
     }
 }
 
@@ -120,7 +118,7 @@ static void floor_row(void *context, int y)
         double o[3], d[3], normal[3];
         float origin[3];
         job->out[i] = kit_skipped(x, y, job->stride) ? NAN : 1;
-        if (kit_skipped(x, y, job->stride) || !surface(job, i) || !job->ambient.trace.node_count) continue;
+        if (kit_skipped(x, y, job->stride) || !kit_shown(job->z[i]) || !job->ambient.trace.node_count) continue;
         kit_camera_view_ray(&job->camera, x, y, o, d);
         floor_normal(job, i, d, normal);
         const float n[3] = { (float)normal[0], (float)normal[1], (float)normal[2] };

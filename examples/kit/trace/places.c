@@ -8,12 +8,10 @@
    perspective image has u = 0, at which planes end. */
 typedef struct line { const float *z; size_t first, step; int count, perspective; double least; } line;
 
-static int seen(float z) { return z > 0 && z < SSGI_FAR; }
-
 static double u_of(const line *l, int i)
 {
     const float z = l->z[l->first + (size_t)i * l->step];
-    return !seen(z) ? 0 : l->perspective ? 1 / (double)z : (double)z;
+    return !kit_shown(z) ? 0 : l->perspective ? 1 / (double)z : (double)z;
 }
 
 /* Returns whether depth jumps between pixel i and the next: u changes by more, or by less, than on both sides. On a
@@ -24,10 +22,10 @@ static int jumps(const line *l, int i)
     const double here = u_of(l, i), next = u_of(l, i + 1), step = next - here;
     const double before = here - u_of(l, i - 1), after = u_of(l, i + 2) - next;
     double off = fmax(step - fmax(before, after), fmin(before, after) - step);
-    if (!seen(a) && !seen(b)) return 0;
-    if (!l->perspective && seen(a) != seen(b)) return 1;
+    if (!kit_shown(a) && !kit_shown(b)) return 0;
+    if (!l->perspective && kit_shown(a) != kit_shown(b)) return 1;
     if (!(off > 0)) return 0;
-    if (seen(a) != seen(b)) return 1;
+    if (kit_shown(a) != kit_shown(b)) return 1;
     if (l->perspective) off *= (double)a * (double)b;          /* converts the difference of u to one of depths */
     return off > fmax(l->least, 0.002 * fmin((double)a, (double)b));
 }
@@ -74,7 +72,7 @@ int kit_image_places(kit_image *out, const kit_image *frame, const kit_camera *c
         const double reach = 0.5 * height * (double)projection[5] * (double)radius / (l.perspective ? (double)z[i] : 1);
         const int near = fmin(right, up) < reach, place = edge[i] > 0 ? 0 : near ? 1 : 2;
         edge[i] = 0;
-        if (seen(z[i])) edge[(size_t)place * pixels + i] = 1;
+        if (kit_shown(z[i])) edge[(size_t)place * pixels + i] = 1;
     }
     *out = image;
     return 0;

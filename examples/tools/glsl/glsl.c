@@ -323,58 +323,79 @@ static ssgi_gl_desc variant_of(int pass, int dialect, int a, int b)
     return with_choice(with_choice(d, b), a);
 }
 
-static int fail(const kit_error *err)
-{
-    if (*err->text) fprintf(stderr, "glsl-text: %s\n", err->text);
-    return *err->text ? 2 : 0;
-}
+/* ---- >>command line ---------------------------------------------------------------------------------------------- */
 
-static int dialect_named(const char *name)          /* -1: there is none */
-{
-    int i = 0;
-    while (ssgi_gl_dialect_name(i) && strcmp(ssgi_gl_dialect_name(i), name)) ++i;
-    return i < SSGI_GL_DIALECTS ? i : -1;
-}
+enum { MOST_CHAINS = 64, TARGETS = 4 };
+static const char *const targets[TARGETS] = { "spv", "wgsl", "hlsl", "msl" };      /* of translate.sh */
 
-/* --chain CHAIN .. --LANGUAGE .. FOLDER */
-static int do_chains(int argc, char **argv, kit_error *err)
+typedef struct asked {
+    const char *chain[MOST_CHAINS], *folder, *header;
+    int         chains, dialects[SSGI_GL_DIALECTS], translated[TARGETS], types, list;
+    int         alone;                      /* the only dialect, plus 1; 0: all */
+} asked;
+
+/* Takes the folder, and behind it a dialect. */
+static int take_folder(void *to, const char *text, kit_error *err)
 {
-    static const char *const translated[] = { "spv", "wgsl", "hlsl", "msl" };
-    const char *target[4], *folder = NULL;
-    int dialects[SSGI_GL_DIALECTS] = { 0 }, targets = 0, languages = 0;
-    for (int i = 1; i < argc; ++i) {
-        const char *a = argv[i];
-        int k = 0;
-        if (!strcmp(a, "--chain")) { ++i; continue; }
-        if (strncmp(a, "--", 2)) {
-            if (folder) return kit_fail(err, "%s: only one folder can be given (%s is one already)", a, folder);
-            folder = a;
-            continue;
-        }
-        while (k < 4 && strcmp(a + 2, translated[k])) ++k;
-        if (k < 4 && targets < 4) target[targets++] = translated[k];
-        const int dialect = k < 4 ? SSGI_GL_DIALECT_VULKAN : dialect_named(a + 2);
-        if (dialect < 0) return kit_fail(err, "%s: must be --330 .. --vulkan, --spv, --wgsl, --hlsl or --msl", a);
-        dialects[dialect] = languages = 1;
+    asked *const a = to;
+    if (!a->folder) {
+        a->folder = text;
+        return 0;
     }
-    if (!folder) return kit_fail(err, "--chain: the folder is missing");
+    while (a->alone < SSGI_GL_DIALECTS && strcmp(ssgi_gl_dialect_name(a->alone++), text)) {}
+    const int known = !strcmp(ssgi_gl_dialect_name(a->alone - 1), text);
+    return known && !a->chains
+             ? 0 : kit_fail(err, "%s: only one folder can be given (%s is one already)", text, a->folder);
+}
+
+static const char usage[] = "glsl-text --chain CHAIN .. --LANGUAGE .. FOLDER | FOLDER [DIALECT] | --chains | ..";
+#define TO(member) .at = offsetof(asked, member)
+#define DIALECT(name, number) { name, NULL, "GLSL of that version.", .kind = KIT_FLAG, TO(dialects[number]) }
+#define TARGET(name, number, about) { name, NULL, about, .kind = KIT_FLAG, TO(translated[number]) }
+static const kit_option table[] = {
+    { "FOLDER [DIALECT]", NULL, "Every pass in every variant, with manifest.json: thousands of files.",
+      .kind = KIT_TOLD },
+    { "--chain", "CHAIN", "The shaders of chains, as hsao,balanced,thickness=back, or of all, within seconds; in:",
+      .kind = KIT_LIST, TO(chain), .most = MOST_CHAINS, .said = offsetof(asked, chains) },
+    DIALECT("--330", SSGI_GL_DIALECT_330), DIALECT("--410", SSGI_GL_DIALECT_410),
+    DIALECT("--450", SSGI_GL_DIALECT_450), DIALECT("--300es", SSGI_GL_DIALECT_300ES),
+    DIALECT("--310es", SSGI_GL_DIALECT_310ES), DIALECT("--320es", SSGI_GL_DIALECT_320ES),
+    DIALECT("--vulkan", SSGI_GL_DIALECT_VULKAN), TARGET("--spv", 0, "SPIR-V."),
+    TARGET("--wgsl", 1, "WGSL, for WebGPU."), TARGET("--hlsl", 2, "HLSL."), TARGET("--msl", 3, "Metal's language."),
+    { "--chains", NULL, "The names of chains.", .kind = KIT_FLAG, TO(list) },
+    { "--passes", "ssgi_gl.h", "The table of passes and fields, as PASSES.md has it.", .kind = KIT_TEXT, TO(header) },
+    { "--types", NULL, "The TypeScript types of fields.", .kind = KIT_FLAG, TO(types) },
+    { NULL }
+};
+
+/* ---- >>commands -------------------------------------------------------------------------------------------------- */
+
+static int write_chains(const asked *a, kit_error *err)
+{
+    const char *target[TARGETS];
+    int dialects[SSGI_GL_DIALECTS], count = 0, languages = 0;
+    memcpy(dialects, a->dialects, sizeof dialects);
+    for (int k = 0; k < TARGETS; ++k)
+        if (a->translated[k]) target[count++] = targets[k];
+    dialects[SSGI_GL_DIALECT_VULKAN] |= count > 0;
+    for (int k = 0; k < SSGI_GL_DIALECTS; ++k) languages += dialects[k];
+    if (!a->folder) return kit_fail(err, "--chain: the folder is missing");
     if (!languages) return kit_fail(err, "--chain: in which language: --330 .. --vulkan, --spv, --wgsl, --hlsl, --msl");
-    if (make_folder(folder, err)) return -1;
-    for (int i = 1; i < argc; ++i) {
-        const char *text = i + 1 < argc ? argv[i + 1] : "";
-        ssgi_gl_chain chain;
-        if (strcmp(argv[i], "--chain")) continue;
+    if (make_folder(a->folder, err)) return -1;
+    for (int i = 0; i < a->chains; ++i) {
+        const char *const text = a->chain[i];
         const int all = !strcmp(text, "all");
+        ssgi_gl_chain chain;
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
             kit_error lacks = { "" };
             if (!dialects[dialect]) continue;
             if (!all && chain_parse(&chain, text, dialect, err)) return -1;
-            if (all ? write_named_chains(folder, dialect, err)
-                    : write_chain(folder, text, chain_about(text), &chain, dialect, &lacks)) return -1;
+            if (all ? write_named_chains(a->folder, dialect, err)
+                    : write_chain(a->folder, text, chain_about(text), &chain, dialect, &lacks)) return -1;
             if (*lacks.text) return kit_fail(err, "--chain %s: %s", text, lacks.text);
         }
     }
-    return write_manifest(folder, err) || (targets && translate(folder, target, targets, err)) ? -1 : 0;
+    return write_manifest(a->folder, err) || (count && translate(a->folder, target, count, err)) ? -1 : 0;
 }
 
 static void list_chains(void)
@@ -410,52 +431,25 @@ static int write_all(const char *folder, int alone, kit_error *err)
     return write_manifest(folder, err);
 }
 
-static int has_chain(int argc, char **argv)
+static int run(const asked *a, kit_error *err)
 {
-    for (int i = 1; i < argc; ++i) if (!strcmp(argv[i], "--chain")) return 1;
-    return 0;
-}
-
-static const char usage[] =
-    "usage: glsl-text --chain CHAIN .. --LANGUAGE .. FOLDER\n"
-    "                                    the shaders of chains, as hsao,balanced,thickness=back, within seconds.\n"
-    "                                    LANGUAGE is 330, 410, 450, 300es, 310es, 320es, vulkan, spv, wgsl, hlsl\n"
-    "                                    or msl\n"
-    "       glsl-text FOLDER [DIALECT]   every pass in every variant, with manifest.json: thousands of files\n"
-    "       glsl-text --chains           the names of chains\n"
-    "       glsl-text --passes ssgi_gl.h the table of passes and fields, as PASSES.md has it\n"
-    "       glsl-text --types            the TypeScript types of fields\n"
-    "       glsl-text --help | --version\n";
-
-/* Runs the command line. Returns 0: done, 1: the command line is wrong, -1: failed. */
-static int run(int argc, char **argv, kit_error *err)
-{
-    if (has_chain(argc, argv)) return do_chains(argc, argv, err);
-    if (argc == 3 && !strcmp(argv[1], "--passes")) {
-        print_passes();
-        return print_fields(argv[2], err);
-    }
-    if (argc == 2 && !strcmp(argv[1], "--types")) { manifest_types(); return 0; }
-    if (argc == 2 && !strcmp(argv[1], "--chains")) { list_chains(); return 0; }
-    if (argc == 2 && (!strcmp(argv[1], "--help") || !strcmp(argv[1], "-h"))) { fputs(usage, stdout); return 0; }
-    if (argc == 2 && !strcmp(argv[1], "--version")) {
-        printf("ssgi %d.%d\n", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
-        return 0;
-    }
-    if (argc < 2 || argc > 3 || *argv[1] == '-' || (argc == 3 && dialect_named(argv[2]) < 0)) return 1;
-    return write_all(argv[1], argc == 3 ? dialect_named(argv[2]) : -1, err);
+    if (a->chains) return write_chains(a, err);
+    if (a->header) print_passes();
+    if (a->header) return print_fields(a->header, err);
+    if (a->types) manifest_types();
+    if (a->list) list_chains();
+    if (a->types || a->list) return 0;
+    return a->folder ? write_all(a->folder, a->alone - 1, err) : kit_fail(err, "the folder is missing (see --help)");
 }
 
 int main(int argc, char **argv)
 {
     kit_error err = { "" };
+    asked a = { .folder = NULL };
     kit_streams_open();
-    const int status = run(argc, argv, &err);
-    if (status > 0) {
-        fputs(usage, stderr);
-        return 2;
-    }
-    if (!status) kit_streams_close(&err);
-    if (status < 0 && !*err.text) return 2;             /* write_file has said why */
-    return fail(&err);
+    const int failed = !kit_help(argc, argv, usage, table)
+                    && (kit_options(&a, table, argc, argv, take_folder, &err) || run(&a, &err));
+    if (!failed && !kit_streams_close(&err)) return 0;
+    if (*err.text) fprintf(stderr, "glsl-text: %s\n", err.text);    /* else write_file has said why */
+    return 2;
 }

@@ -227,13 +227,8 @@ static void flatten(kit_mesh *mesh)
     for (size_t t = 0; t < mesh->triangles; ++t) {
         const float *const p = mesh->position + 9 * t;
         float *const own = mesh->normal + 9 * t;
-        double a[3], b[3], n[3], along = 0;
-        for (int i = 0; i < 3; ++i) {
-            a[i] = (double)p[3 + i] - (double)p[i];
-            b[i] = (double)p[6 + i] - (double)p[i];
-        }
-        kit_cross(a, b, n);
-        if (!kit_unit(n)) continue;
+        double n[3], along = 0;
+        if (!kit_face(p, n)) continue;
         for (int i = 0; i < 9; ++i) along += n[i % 3] * (double)own[i];
         for (int i = 0; i < 9; ++i) own[i] = (float)(along < 0 ? -n[i % 3] : n[i % 3]);
     }
