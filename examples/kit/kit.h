@@ -221,6 +221,7 @@ typedef struct kit_object {
 } kit_object;
 
 void   kit_mesh_free(kit_mesh *mesh);
+void   kit_mesh_bounds(kit_mesh *mesh);         /* sets the bounds from the triangles */
 /* Reads an OBJ. Its objects are the names on o lines; if these make fewer than two, the names on g lines; if these do
    as well, the connected parts (corners at equal positions join). A name is one object however often it occurs. Objects
    are numbered in the order of their first triangles. If there are more than KIT_MAX_OBJECTS, only the KIT_MAX_OBJECTS

@@ -63,7 +63,6 @@ void   kit_cylinder(kit_build *b, double radius, double height, int around);    
 
 /* Begins a new object. The first object also has all earlier shapes. casts: 0, 1, or -1, by kit_scene_load's rule. */
 void   kit_begin_object(kit_build *b, const char *name, int casts);
-void   kit_mesh_bounds(kit_mesh *mesh);
 /* Writes object k's triangles and bounds for the transform m, but not the mesh's bounds. */
 void   kit_set_place(kit_scene *s, int k, const float m[16]);
 /* Writes object k's triangles and bounds for m, raised until the object is above a level. */

@@ -253,16 +253,6 @@ void kit_begin_object(kit_build *b, const char *name, int casts)
     b->object = (uint32_t)++s->objects;
 }
 
-void kit_mesh_bounds(kit_mesh *mesh)
-{
-    for (size_t i = 0; i < 3 * mesh->triangles; i++)
-        for (int c = 0; c < 3; c++) {
-            float p = mesh->position[3 * i + (size_t)c];
-            if (!i || p < mesh->lower[c]) mesh->lower[c] = p;
-            if (!i || p > mesh->upper[c]) mesh->upper[c] = p;
-        }
-}
-
 /* Returns the index in the scene's mesh of object k's triangle after t; begin with t = o->first - 1. */
 static size_t next_triangle(const kit_scene *s, int k, size_t t)
 {

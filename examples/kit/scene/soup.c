@@ -1,7 +1,6 @@
 /* soup.c - collects triangles in the order in which a reader finds them, and finds the objects that they form. Declared
    in kit_obj.h. */
 #include "kit/kit_obj.h"
-#include "kit/kit_build.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -33,6 +32,16 @@ void kit_mesh_free(kit_mesh *mesh)
     free(mesh->albedo);
     free(mesh->object);
     memset(mesh, 0, sizeof *mesh);
+}
+
+void kit_mesh_bounds(kit_mesh *mesh)
+{
+    for (size_t i = 0; i < 3 * mesh->triangles; i++)
+        for (int c = 0; c < 3; c++) {
+            float p = mesh->position[3 * i + (size_t)c];
+            if (!i || p < mesh->lower[c]) mesh->lower[c] = p;
+            if (!i || p > mesh->upper[c]) mesh->upper[c] = p;
+        }
 }
 
 void kit_soup_free(kit_soup *s)
