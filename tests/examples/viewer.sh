@@ -9,7 +9,7 @@ work=build/viewer-test
 open_window
 make_boxes $work/boxes.obj
 place=3.5,3.2,6.5,0.3,0.7,-0.8
-size=480x270
+size=240x136
 
 if [ ! -x build/viewer ]; then skip 'viewer, GLFW is missing (apt-get install libglfw3-dev)'
 else

@@ -18,26 +18,17 @@ while IFS='|' read -r arguments words; do
 done <<'END'
 no-such-scene|neither a file that can be read nor a built-in scene (room,
 room boxes|only one scene can be shown (room is one already)
-room --bogus 1|--bogus: there is no such option
-room --camera nan,0,0,0,0,0|--camera nan,0,0,0,0,0: its numbers must be in -1e+12..1e+12
 room --camera 1e16,0,0,0,0,0|its numbers must be in -1e+12..1e+12
-room --camera 1,2,3,4,5|must be 6 numbers with commas between
 room --camera 1,2,3,1,2,3|eye and target must differ
 room --camera 0,9,0,0,0,0|must not be zero or along the view direction
 room --up 0,0,0|must not be zero or along the view direction
-room --size 100000x100000|--size 100000x100000: must be WxH, each 16..16384
 room --size 15x64|--size 15x64: must be WxH, each 16..16384
-room --size 64x64x|--size 64x64x: must be WxH, each 16..16384
 room --size 16384x16384|--size 16384x16384: must have 33554432 pixels at most
-room --size 4294967360x64|--size 4294967360x64: must be WxH, each 16..16384
-room --radius nan|--radius nan: must be a number in 1e-12..1e+12
 room --radius 0|--radius 0: must be a number in 1e-12..1e+12
 room --frames 0|--frames 0: must be a whole number in 1..1000000
 room --method truth|--method truth: there is no such method; the nearest are
 room --right bogus|--method bogus: there is no such method; the nearest are
 room --set bogus=1|--set bogus=1: method ssdo has no such setting
-room --method hsao --set samples=0|--set samples=0: must be a whole number
-room --set steps|must be key=value
 room --light lamp|light lamp: must be point:
 room --env sky --env-strength -1|--env-strength -1: must be a number in 0..1e+06
 room --env-turn 20|--env-turn: needs --env
@@ -45,30 +36,14 @@ room --fovy 40 --ortho-height 3|--ortho-height: cannot go with --fovy
 room --fovy 180|--fovy 180: must be a number in 0.1..179
 room --scale 2|--scale 2: must be auto or a number in 0.1..1
 room --colours 2|--colours 2: must be a whole number in 0..1
-room --slide 1,2|--slide 1,2: must be 3 numbers
 plane --slide 1,0,0|no object that casts
 END
 
-# Assimp reads models in a process of its own: models that it refuses, passes on, or crashes on, as changes of the
-# triangle. A mesh of 4,000 primitives, used by 4,000 nodes, must not take long: in seconds of processor, with much room
-# for any machine.
+# A mesh of 4,000 primitives, used by 4,000 nodes, must not take long: in seconds of processor, with much room for any
+# machine.
 if build/viewer tests/examples/triangle.gltf --env none 2>&1 | grep -q 'reads OBJ alone'; then
     skip 'viewer, models but OBJ: Assimp is missing (apt-get install libassimp-dev)'
 else
-    while IFS='|' read -r change words; do
-        sed "$change" tests/examples/triangle.gltf >$work/bad.gltf
-        check "$change changes the triangle" "$(cmp -s tests/examples/triangle.gltf $work/bad.gltf || echo 1)"
-        refused "$words" $work/bad.gltf </dev/null
-    done <<'END'
-$s/}$//|is glTF that cannot be read: it is damaged, or of a version
-s/"children":\[2\]/"children":[0]/|recursive reference
-s/2\.5,-3e0/2.5,1e16/|a vertex is not within 1e+15 of 0
-s/,AACAPwAA/,AADAfwAA/|a vertex is not within 1e+15 of 0
-s/"byteOffset":0/&,"sparse":{}/|fails on: it may be damaged
-s/"byteStride":12/"byteStride":8/|no triangles in it
-s/"data:[^"]*"/"absent.bin"/|could not open referenced file "absent.bin"
-s/^{/&"extensionsRequired":["KHR_mesh_quantization"],/|needs the extension KHR_mesh_quantization, which is not read
-END
     awk -v n=4000 '
         function often(what,   i) { for (i = 1; i < n; i++) printf "%s,", what }
         /"children":\[1\]/ { printf "\"nodes\":[{\"children\":["

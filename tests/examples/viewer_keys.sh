@@ -11,10 +11,10 @@ begin() {    # ARGUMENTS: opens a new window
 }
 soon() {    # COMMAND: waits until it succeeds, while the window lives and has spent less than 30 s of processor
     most=$(($(ps -o cputimes= -p $viewer || echo 0) + 30))
-    for i in $(seq 6000); do
+    for i in $(seq 1200); do
         "$@" && return
         spent=$(ps -o cputimes= -p $viewer) && [ "$spent" -le $most ] || return
-        sleep 0.02
+        sleep 0.1
     done
 }
 shown() {    # PATTERN: whether it matches the title, which is written four times a second
@@ -39,7 +39,7 @@ wait_for() { for i in $(seq "$1"); do build/press wait; done; }
 # ---- settings, light and camera, by the line: KEYS joined by +, the option, and an AWK condition on its value: "a"
 # before the keys, "b" after them, "" = no value. p and q hold the parts of a and b.
 pressed=
-begin room --size 320x180 --scale 1 --panel 0
+begin room --size 160x90 --scale 1 --panel 0
 ask
 home=$(value camera)
 while read -r keys option is what; do
@@ -88,10 +88,10 @@ v+wait          slide   b!=""                               an object moves
 v               slide   a!=b                                it stands,
 wait            slide   a==b&&b!=""                         and stays
 r               slide   b==""                               object back
-f               size    b=="160x90"                         half size
-f               size    b=="80x45"                          a quarter
-f+f             size    b=="320x180"                        whole
-size:400x240+wait   size    b=="400x240"                    another size
+f               size    b=="80x45"                          half size
+f               size    b=="40x23"                          a quarter
+f+f             size    b=="160x90"                         whole
+size:200x120+wait   size    b=="200x120"                    another size
 END
 methods=$(build/render --list | sed '/^settings/,$d' | awk '/^[a-z]/ { print $1 }')
 found=
@@ -99,13 +99,13 @@ for m in $methods; do ask m; found="$found$(value method)
 "; done
 check 'viewer, key m: all of build/render --list' \
     "$([ "$(printf %s "$found" | sort)" = "$(printf '%s\n' $methods | sort)" ] && echo 1)"
-soon shown 'room - ssdo - 400x240 - *[0-9] ms'
-check "viewer, the title: $title" "$(shown 'room - ssdo - 400x240 - *[0-9] ms' && echo 1)"
+soon shown 'room - ssdo - 200x120 - *[0-9] ms'
+check "viewer, the title: $title" "$(shown 'room - ssdo - 200x120 - *[0-9] ms' && echo 1)"
 end q
 check "viewer, key q: status $ended" "$([ $ended = 0 ] && echo 1)"
 
 # ---- effects seen in the picture alone: KEYS, how they are seen, what differs from the picture before
-begin room --size 320x180 --scale 1 --panel 0 --method hsao --set history=0
+begin room --size 240x136 --scale 1 --panel 0 --method hsao --set history=0
 picture
 while read -r keys seen what; do
     keys=$(echo "$keys" | tr + ' ')
@@ -145,7 +145,7 @@ for k in $listed; do
 done
 
 # ---- dropped files
-begin room --size 320x180 --scale 1 --panel 0 --set history=0
+begin room --size 96x54 --scale 1 --panel 0 --set history=0
 ask
 whole=$line
 cp tests/examples/triangle.gltf "$work/it's a triangle.gltf"
@@ -187,15 +187,15 @@ larger() {    # whether a larger share of the window is drawn
 soon larger && so=1 || so=0
 check "viewer, of a window of 320x180 a larger share is drawn than $small of 1280: $title" $so
 end
-begin room --size 1280x720 --panel 0
+begin room --size 640x360 --panel 0
 while read -r key pattern; do
     build/press $key
-    soon shown "$pattern"
-    check "viewer, at rest or not: '$title', not '$pattern'" "$(shown "$pattern" && echo 1)"
+    soon shown "$pattern" && so=1 || so=0
+    check "viewer, at rest or not: '$title', not '$pattern'" $so
 done <<'END'
-wait *1280x720 - * - mean of [4-9]*
+wait *640x360 - * - mean of [4-9]*
 drag:40,10 *[0-9] ms
-wait *1280x720 - * - mean of *
+wait *640x360 - * - mean of *
 i *[0-9] ms
 END
 end
@@ -206,7 +206,7 @@ repeated() {    # NAME MOST PICTURE: compares the picture that the line in $line
         >$work/out 2>&1 || cat $work/out
     near "viewer, the line of $1" "$3" $work/repeated.png "$2"
 }
-begin casters --size 320x180 --scale 1 --panel 0
+begin casters --size 160x90 --scale 1 --panel 0
 build/press m n drag:90,20 wait drag:-40,0 turn:2 i i 9
 wait_for 10
 ask
@@ -216,7 +216,7 @@ end
 {
     for m in $methods; do
         case $m in dss*) scene=boxes ;; *) scene=casters ;; esac
-        echo "$scene --method $m --frames 5"
+        echo "$scene --method $m --frames 2"
     done
     echo "boxes.obj --ground --method ssdo --camera $place --up 0.1,1,0 --fovy 50 --env street --env-turn 77" \
         "--env-strength 2.5 --light sun:1,2,3,1,0.8,0.6 --light point:0,2,0,3,2,1 --slide 0.4,0,0.3 --radius 0.7" \
@@ -226,7 +226,7 @@ end
     echo "random:streets:3 --method ssdo --frames 2"
 } >$work/lines
 while read -r words; do
-    (cd $work && ../../build/viewer $words --size 240x136 --command --shot again.png >printed 2>said </dev/null)
+    (cd $work && ../../build/viewer $words --size 120x68 --command --shot again.png >printed 2>said </dev/null)
     line=$(tail -n 1 $work/printed)
     repeated "$words" 0.001 $work/again.png
 done <$work/lines
