@@ -7,19 +7,14 @@ const coarse = { resolution: 8, rays: 64 };
 const most = 2;                                     /* objects at most, numbered as in the G-buffer */
 
 export class Fields {
-    #gl; #drawer; #ssgi; #changed; #loading; #worker = null; #id = 0; #baking = null;
+    #worker = null; #id = 0; #baking = null;
     static #baked = new Map();                            /* ssgi.field() by #key: the object and its fineness */
     static #failed = new Set();                     /* keys of objects whose bake failed */
     #shown = []; #slices = null; #rows = null;      /* [{ object, field }]; textures */
 
-    /* changed(error or null): other fields are there; loading(text or null, share): the bake's progress */
-    constructor({ gl, drawer, ssgi, changed, loading }) {
-        this.#gl = gl;
-        this.#drawer = drawer;
-        this.#ssgi = ssgi;
-        this.#changed = changed;
-        this.#loading = loading;
-    }
+    /* given: { gl, drawer, ssgi, changed, loading }. changed(error or null): other fields are there; loading(text or
+       null, share): the bake's progress */
+    constructor(given) { Object.assign(this, given); }
     get busy() { return this.#baking !== null; }
 
     #objects(stage) { return stage.objects().filter(({ key }) => !Fields.#failed.has(key)); }
@@ -52,13 +47,13 @@ export class Fields {
     #stop() {
         this.#worker?.terminate();
         this.#worker = this.#baking = null;
-        this.#loading(null);
+        this.loading(null);
     }
 
     #bake(object, how, key) {
         this.#worker ??= new Worker(new URL('baker.mjs', import.meta.url), { type: 'module' });
         this.#worker.onmessage = ({ data }) => this.#hear(data);
-        this.#worker.onerror = e => this.#changed(new Error(`field: its worker failed: ${e.message}`));
+        this.#worker.onerror = e => this.changed(new Error(`field: its worker failed: ${e.message}`));
         this.#baking = { key, id: ++this.#id, object, title: object.title,
                          fineness: `${how.resolution}×${how.resolution}` };
         const position = object.triangles();
@@ -67,7 +62,7 @@ export class Fields {
     }
     #told(share) {
         const { title, fineness } = this.#baking;
-        this.#loading(`Baking the field of ${title}, ${fineness}`, share, this.#shown.length > 0);
+        this.loading(`Baking the field of ${title}, ${fineness}`, share, this.#shown.length > 0);
     }
 
     #hear({ id, field, progress, error }) {
@@ -75,14 +70,14 @@ export class Fields {
         if (progress !== undefined) { this.#told(progress); return; }
         const { key, object } = this.#baking;
         this.#baking = null;
-        this.#loading(null);
+        this.loading(null);
         if (error) {
             Fields.#failed.add(object.key);
-            this.#changed(new Error(`${object.title}: no field: ${error}`));
+            this.changed(new Error(`${object.title}: no field: ${error}`));
             return;
         }
-        Fields.#baked.set(key, this.#ssgi.field(field));
-        this.#changed(null);
+        Fields.#baked.set(key, this.ssgi.field(field));
+        this.changed(null);
     }
 
     /* Uploads the fields, one in each layer; smaller ones are in a layer's lower corner. */
@@ -92,23 +87,23 @@ export class Fields {
                                                   && this.#shown[i].field === field);
         this.#shown = all;
         if (same && this.#slices) return;
-        const gl = this.#gl, wide = Math.max(2, ...all.map(({ field }) => field.resolution)) + 2;
+        const { gl } = this, wide = Math.max(2, ...all.map(({ field }) => field.resolution)) + 2;
         gl.deleteTexture(this.#slices);
-        this.#slices = this.#drawer.texture(wide, 6 * wide, { internal: gl.RG32UI }, Math.max(1, all.length));
-        this.#drawer.plainUploads();
+        this.#slices = this.drawer.texture(wide, 6 * wide, { internal: gl.RG32UI }, Math.max(1, all.length));
+        this.drawer.plainUploads();
         all.forEach(({ field: { resolution: r, texels } }, i) => gl.texSubImage3D(
             gl.TEXTURE_2D_ARRAY, 0, 0, 0, i, r + 2, 6 * (r + 2), 1, gl.RG_INTEGER, gl.UNSIGNED_INT, texels));
     }
 
     /* Returns the inputs for Run.draw: fields, and a row for each object in this view. reach: share of the baked one */
     given({ now, reach }) {
-        const gl = this.#gl, rows = new Float32Array(40 * most), view = new Matrix4().fromArray(now.toView);
+        const { gl } = this, rows = new Float32Array(40 * most), view = new Matrix4().fromArray(now.toView);
         this.#shown.forEach(({ object, field }, i) => {
             const toView = view.clone().multiply(object.toWorld()).toArray();
             rows.set(field.occluder(toView, i, object.number, { reach: reach * field.reach }), 40 * i);
         });
-        this.#rows ??= this.#drawer.texture(10, most, { internal: gl.RGBA32F });
-        this.#drawer.plainUploads();
+        this.#rows ??= this.drawer.texture(10, most, { internal: gl.RGBA32F });
+        this.drawer.plainUploads();
         gl.bindTexture(gl.TEXTURE_2D, this.#rows);
         gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 10, most, gl.RGBA, gl.FLOAT, rows);
         return { FIELDS: this.#slices, OCCLUDERS: this.#rows, instances: this.#shown.length };

@@ -66,33 +66,23 @@ const digits = v => v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed
 function toPanel() {
     const chain = methods[set.a]?.method ? chainFor(set.a, set.p, true) : null, is = chain && ssgi.resolve(chain.desc);
     const made = chain && setOf(set.a, set.p, set, true), { module } = methods[set.a] ?? {};
+    /* settings that have the preset's value until the user changes them */
+    const used = { thickness_limit: thicknessLimit(set.a), slices: is?.[countOf(is)] ?? 0, samples: is?.samples ?? 0,
+                   filter: chain?.blur ? filterOf(chain.desc) : 0, surfel: 100 * (made?.size ?? 0),
+                   levels: made?.levels ?? 0, field: made?.resolution ?? 0 };
+    const texts = { radius: stage.info ? +radius().toPrecision(2) : '', effect: set.effect.toFixed(2),
+                    thickness_limit: `${used.thickness_limit.toFixed(2)} R`, reach: `${set.reach.toFixed(2)} ×`,
+                    azimuth: `${set.azimuth}°`, height: `${set.height}°`, strength: `${set.strength.toFixed(2)} ×`,
+                    exposure: `${set.exposure > 0 ? '+' : ''}${set.exposure.toFixed(1)}` };
     for (const control of panel.elements) {
-        if (!Object.hasOwn(set, control.name)) continue;
-        const value = set[control.name];
-        if (control.type === 'checkbox') control.checked = value;
-        else if (control.type === 'radio') control.checked = control.value === value;
-        else if (control.name === 'thickness_limit') control.value = thicknessLimit(set.a);
-        else if (control.name === 'size') showSize(control, value);
-        else if (control.name === 'slices') control.value = is?.[countOf(is)] ?? 0;
-        else if (control.name === 'samples') control.value = is?.samples ?? 0;
-        else if (control.name === 'filter') control.value = chain?.blur ? filterOf(chain.desc) : 0;
-        else if (control.name === 'surfel') control.value = 100 * (made?.size ?? 0);
-        else if (control.name === 'levels') control.value = made?.levels ?? 0;
-        else if (control.name === 'field') control.value = made?.resolution ?? 0;
-        else control.value = value;
+        const { name, type } = control, output = control.parentElement.querySelector('output');
+        if (!Object.hasOwn(set, name)) continue;
+        if (type === 'checkbox') control.checked = set[name];
+        else if (type === 'radio') control.checked = control.value === set[name];
+        else if (name === 'size') showSize(control, set.size);
+        else control.value = used[name] ?? set[name];
+        if (output) output.textContent = texts[name] ?? `${control.value}${name === 'surfel' ? ' %' : ''}`;
     }
-    const output = name => panel.elements[name].parentElement.querySelector('output');
-    const write = (name, text) => { output(name).textContent = text; };
-    if (stage.info) write('radius', +radius().toPrecision(2));
-    write('thickness_limit', `${thicknessLimit(set.a).toFixed(2)} R`);
-    for (const name of ['slices', 'samples', 'filter', 'levels', 'field']) write(name, panel.elements[name].value);
-    write('surfel', `${panel.elements.surfel.value} %`);
-    write('reach', `${set.reach.toFixed(2)} ×`);
-    write('azimuth', `${set.azimuth}°`);
-    write('height', `${set.height}°`);
-    write('strength', `${set.strength.toFixed(2)} ×`);
-    write('exposure', `${set.exposure > 0 ? '+' : ''}${set.exposure.toFixed(1)}`);
-    write('effect', set.effect.toFixed(2));
     const method = name => !!methods[name]?.method;
     const on = (of, yes) => panel.querySelectorAll(of).forEach(e => { e.hidden = !yes; });
     on('.of-a', method(set.a));
@@ -1147,17 +1137,15 @@ async function start() {
     show = new Show(gl, drawer);
     own = { drawer, show, name: $('device').textContent };
     const named = Object.entries(methods).map(([name, { title }]) => [name, title]);
-    options(panel.elements.scene, scenes.map(s => [s.name, s.title]));
-    options(panel.elements.sky, Object.entries(skies).map(([name, { title }]) => [name, title]));
-    options(panel.elements.a, named);
-    options(panel.elements.b, [['off', 'the same'], ...named, ['truth', 'truth, ray-traced']]);
-    for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
-    options(panel.elements.thickness, Object.entries(thicknesses));
-    options(panel.elements.resolution, Object.entries(resolutions));
-    options(panel.elements.shadow, Object.entries(shadows));
+    const words = {
+        scene: scenes.map(s => [s.name, s.title]), a: named, size: [['auto', 'as shown'], ...sizes.map(s => [s, s])],
+        sky: Object.entries(skies).map(([name, { title }]) => [name, title]),
+        b: [['off', 'the same'], ...named, ['truth', 'truth, ray-traced']]
+    };
+    for (const [name, all] of Object.entries({ p: presets, q: presets, thickness: thicknesses, resolution: resolutions,
+                                               shadow: shadows, normals })) words[name] = Object.entries(all);
+    for (const [name, all] of Object.entries(words)) options(panel.elements[name], all);
     makers = new Makers({ gl, drawer, ssgi, loading }, remade);
-    options(panel.elements.normals, Object.entries(normals));
-    options(panel.elements.size, [['auto', 'as shown'], ...sizes.map(size => [size, size])]);
     for (const control of panel.elements) {
         if (control.type !== 'range') continue;
         control.min = settings[control.name].least;

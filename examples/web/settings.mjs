@@ -156,15 +156,6 @@ export const settings = {
 export const defaults = Object.fromEntries(Object.entries(settings).map(([name, { initial }]) => [name, initial]));
 export const lookOf = scene => ({ ...defaults, ...looks[scene] });
 
-/* Returns the present [name, value] of a setting in an address from before version 0.5. */
-function renamed(name, text) {
-    if (name === 'behind') return ['thickness', text];
-    if (name === 'thickness' && text.trim() && !Number.isNaN(Number(text))) return ['thickness_limit', text];
-    if (name === 'half') return ['resolution', { 0: 'FULL', NONE: 'FULL', 1: 'HALF', FIRST: 'HALF' }[text] ?? text];
-    if (name === 'steps') return ['samples', text];
-    return [name, text];
-}
-
 /* Returns a text as quoted in a sentence, shortened. */
 function quoted(text) {
     const all = [...text.replace(/\p{Cc}|\p{Cs}/gu, '\ufffd')];
@@ -177,8 +168,7 @@ function quoted(text) {
 export function read(hash, limits, before = defaults) {
     const named = new URLSearchParams(hash).getAll('scene').at(-1) ?? defaults.scene;
     const set = lookOf(scene.read(named, limits) ?? before.scene), wrong = [];
-    for (const pair of new URLSearchParams(hash)) {
-        const [name, text] = renamed(...pair);
+    for (const [name, text] of new URLSearchParams(hash)) {
         const setting = settings[name], value = setting?.read(text, limits);
         if (value !== undefined) { set[name] = value; continue; }
         if (setting) set[name] = before[name];

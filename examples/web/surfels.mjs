@@ -12,18 +12,13 @@ function turned(out, from, first, count, { elements: m }) {
 }
 
 export class Surfels {
-    #gl; #ssgi; #changed; #loading; #worker = null; #scene = null; #mover = null; #id = 0; #asked = ''; #next = null;
+    #worker = null; #scene = null; #mover = null; #id = 0; #asked = ''; #next = null;
     #made = null;                                   /* { surfels, counts, views, scene } */
     #buffer = null; #array = null; #held = '';      /* #held: the view for which the buffer has surfels */
     busy = false;
 
-    /* changed(error or null): called when other surfels are there */
-    constructor({ gl, ssgi, changed, loading }) {
-        this.#gl = gl;
-        this.#loading = loading;
-        this.#ssgi = ssgi;
-        this.#changed = changed;
-    }
+    /* given: { gl, ssgi, changed, loading }. changed(error or null): called when other surfels are there */
+    constructor(given) { Object.assign(this, given); }
 
     /* Returns whether there are surfels of the shown scene. */
     ready({ stage }) { return this.#made?.scene === stage.info; }
@@ -52,7 +47,7 @@ export class Surfels {
         if (!this.#worker) {
             this.#worker = new Worker(new URL('baker.mjs', import.meta.url), { type: 'module' });
             this.#worker.onmessage = ({ data }) => this.#hear(data);
-            this.#worker.onerror = e => this.#changed(new Error(`surfels: their worker failed: ${e.message}`));
+            this.#worker.onerror = e => this.changed(new Error(`surfels: their worker failed: ${e.message}`));
         }
         if (this.#scene !== stage.info) part(0, stage.triangles());
         this.#scene = stage.info;
@@ -64,7 +59,7 @@ export class Surfels {
         this.busy = true;
         const { look, scene } = this.#next;
         this.#next = null;
-        if (this.#made?.scene !== scene) this.#loading('Making surfels');
+        if (this.#made?.scene !== scene) this.loading('Making surfels');
         this.now = { id: ++this.#id, views: look.views, scene };
         this.#worker.postMessage({ surfels: { ...look, projection: Float32Array.from(look.projection), id: this.#id,
                                               views: look.views.map(v => v && Float32Array.from(v)) } });
@@ -72,20 +67,20 @@ export class Surfels {
 
     #hear({ id, surfels, counts, error }) {
         this.busy = false;
-        if (this.#made?.scene !== this.now.scene) this.#loading(null);
-        if (error) { this.#asked = ''; this.#changed(new Error(`surfels: ${error}`)); return; }
+        if (this.#made?.scene !== this.now.scene) this.loading(null);
+        if (error) { this.#asked = ''; this.changed(new Error(`surfels: ${error}`)); return; }
         if (id === this.now.id) {
             const views = this.now.views.map(v => v && new Matrix4().fromArray(v));
             this.#made = { surfels, counts, views, scene: this.now.scene };
             this.#held = '';
-            this.#changed(null);
+            this.changed(null);
         }
         this.#ask();
     }
 
     /* Returns the inputs for Run.draw: the surfels' vertex array, in this view's space. */
     given({ stage, now }, steps) {
-        const gl = this.#gl, views = this.#views(stage, now), { surfels, counts, views: made } = this.#made;
+        const { gl } = this, views = this.#views(stage, now), { surfels, counts, views: made } = this.#made;
         const key = JSON.stringify(views.map(v => v?.elements));
         let count = counts[0] + (views[1] ? counts[1] ?? 0 : 0);
         if (!made[1]) count = counts[0];
@@ -109,12 +104,12 @@ export class Surfels {
 
     /* Opens a vertex array with three vec4 for each instance, at the splat shader's locations. */
     #open(desc) {
-        const gl = this.#gl;
+        const { gl } = this;
         this.#buffer = gl.createBuffer();
         this.#array = gl.createVertexArray();
         gl.bindVertexArray(this.#array);
         gl.bindBuffer(gl.ARRAY_BUFFER, this.#buffer);
-        this.#ssgi.rows(desc).filter(({ kind }) => kind === 'ATTRIBUTE').forEach(({ slot }, i) => {
+        this.ssgi.rows(desc).filter(({ kind }) => kind === 'ATTRIBUTE').forEach(({ slot }, i) => {
             gl.enableVertexAttribArray(slot);
             gl.vertexAttribPointer(slot, 4, gl.FLOAT, false, 48, 16 * i);
             gl.vertexAttribDivisor(slot, 1);
