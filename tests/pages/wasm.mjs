@@ -30,7 +30,8 @@ for (const folder of ['texts', 'others', 'computed']) {
             deepEqual(ssgi.rows(step.desc), said.rows.map(k => m.rows[k]));
             deepEqual(step.groups, said.group ? [1, 1] : [0, 0]);
             if (said.group)
-                deepEqual([[step.desc.group_width, step.desc.group_height], ...step.outputs.map(k => [k.set, k.binding])],
+                deepEqual([[step.desc.group_width, step.desc.group_height],
+                           ...step.outputs.map(k => [k.set, k.binding])],
                           [said.group, ...said.outputs.map(k => [k.set, k.binding])]);
             deepEqual([step.scale, step.frame, step.vertices, step.instances, step.blend[0] !== 0],
                 [said.scale, said.frame, said.vertices, said.instances, said.blend !== null]);

@@ -49,18 +49,17 @@ const compare = (page, hash) => page.evaluate(async hash => {
     });
 }, hash);
 
-const first = await open('?webgpu', 'size=320x180&history=0&b=off');
+const first = await open('?webgpu', 'size=96x54&scene=cornell&history=0&b=off');
 if ((await state(first)).notice) console.log(`skipped: the page in WebGPU: ${(await state(first)).notice}`);
 else {
     /* Mostly pixels on silhouettes, which one rasteriser covers and the other does not. */
-    const most = 0.006, small = 'sky=sky&size=320x180&history=0';
+    const most = 0.008, small = 'sky=sky&size=192x108&history=0';
     const alike = async hash => {
         const differs = await compare(first, hash), { notice } = await state(first);
         note(`${hash ?? 'the same'}: RMSE ${differs.map(v => v.toExponential(1)).join(' ')}`);
         check(differs.every(v => v < most) && !notice, `${hash}: ${differs} ${notice}`);
     };
-    for (const of of ['p=FAST&b=hsao&q=BEST', '', 'a=ssao&b=march', 'a=ssdo&p=FAST&b=ssdo&q=BEST',
-                      'a=points&b=ssdo&bounce=1&view=ambient', 'a=s3ho&p=FAST&b=s3ho&q=BEST',
+    for (const of of ['p=FAST&b=hsao&q=BEST', 'a=ssao&b=march', 'a=points&b=ssdo&bounce=1&view=ambient',
                       'a=ssdo&shadow=FILL&b=s3ho', 'a=ssdo&shadow=SEGMENT&bounce=1', 'history=1&b=s3ho',
                       'thickness=SLABS&b=ssdo', 'thickness=BACK&scene=casters',
                       'normals=FROM_DEPTH&slices=3&samples=4&resolution=HALF&filter=3'])
@@ -70,11 +69,11 @@ else {
         await first.evaluate('page.webgpu(true)');
         await first.evaluate(`page.go('size=160x90&moves=1&scene=cornell')`);
         await rest(700);
-        await first.evaluate(`page.go('${small.replace('320x180', '96x54')}&b=truth&scene=cornell')`);
+        await first.evaluate(`page.go('${small.replace('192x108', '96x54')}&b=truth&scene=cornell')`);
         await first.waitForFunction('page.rays() >= 4 && page.error(0) !== null', { timeout: 60000 });
         const error = await first.evaluate('page.error(0)');
         check(error > 0 && error < 0.2, `error ${error}`);
-        await first.evaluate(`page.go('history=0&scene=cornell')`);
+        await first.evaluate(`page.go('history=0&scene=cornell&a=ssao&b=off')`);
         for (const width of [700, 500]) {
             await first.setViewport({ width, height: 600 });
             await first.waitForFunction(`(() => { const { gpu, size } = page.inside();
@@ -98,7 +97,8 @@ else {
     });
 
     await run('WebGPU: its files come when it is asked for, and are small', async () => {
-        const page = await open('', small), files = () => page.evaluate(() => performance.getEntriesByType('resource')
+        const page = await open('', `${small}&scene=cornell`);
+        const files = () => page.evaluate(() => performance.getEntriesByType('resource')
             .map(r => r.name.split('/web/')[1]).filter(name => /^webgpu|^wgsl/.test(name)));
         check(!(await files()).length, `without ?webgpu: ${await files()}`);
         await page.evaluate('page.webgpu(true)');
@@ -112,13 +112,14 @@ else {
 }
 
 await run('without WebGPU, or without a text in WGSL, the page says so and goes on in WebGL 2', async () => {
-    const blind = await open('?webgpu', 'size=160x90&history=0', `Object.defineProperty(navigator, 'gpu', {})`);
+    const blind = await open('?webgpu', 'size=64x36&scene=cornell&history=0',
+                             `Object.defineProperty(navigator, 'gpu', {})`);
     const { notice, draws, search } = await state(blind);
     check(notice === 'This browser has no WebGPU: WebGL 2 draws' && !draws && !search, `${notice} ${search}`);
     const [off, reason] = await blind.$eval('#webgpu-box', box => [box.disabled, box.parentElement.title]);
     check(off && reason === 'This browser has no WebGPU', `${off} ${reason}`);
     await blind.close();
-    const page = await open('', 'size=160x90&history=0&a=none', `{ const all = globalThis.fetch;
+    const page = await open('', 'size=64x36&scene=cornell&history=0&a=none', `{ const all = globalThis.fetch;
         globalThis.fetch = async (url, ...more) => (String(url).endsWith('list.json') && String(url).includes('wgsl')
             ? new Response('["0"]') : all(url, ...more)); }`);
     await page.evaluate('page.webgpu(true)');
