@@ -62,7 +62,7 @@ else {
     for (const of of ['p=FAST&b=hsao&q=BEST', 'a=ssao&b=march', 'a=points&b=ssdo&bounce=1&view=ambient',
                       'a=ssdo&shadow=FILL&b=s3ho', 'a=ssdo&shadow=SEGMENT&bounce=1', 'history=1&b=s3ho',
                       'thickness=SLABS&b=ssdo', 'thickness=BACK&scene=casters',
-                      'normals=FROM_DEPTH&slices=3&samples=4&resolution=HALF&filter=3'])
+                      'normals=FROM_DEPTH&slices=3&samples=4&resolution=HALF&filter=3&size=320x180'])
         await run(`WebGPU draws what WebGL 2 does: ${of || 'hsao'}`, () => alike(`${small}&${of}`));
 
     await run('WebGPU: what moves is followed, the truth is traced, a change of size is drawn', async () => {
