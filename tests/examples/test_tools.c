@@ -179,6 +179,16 @@ static void manifest_of_cameras(void)
     works("python3 cameras.py");
 }
 
+/* Checks that Rust's reader of C headers gives constants the type of the fields that take them. */
+static void bindings_of_rust(void)
+{
+    if (has("bindgen"))
+        works("bindgen ssgi_gl.h --allowlist-var SSGI_GL_PASS_HSAO --allowlist-type ssgi_gl_desc -- "
+              "--target=x86_64-pc-windows-msvc -ffreestanding >bind.rs && "
+              "grep -q 'pub type ssgi_gl_pass = ::std::os::raw::c_int' bind.rs && "
+              "grep -q 'pub pass: ssgi_gl_pass' bind.rs");
+}
+
 /* Checks a chain in a user's words, and mistakes in one. */
 static void own_chain(void)
 {
@@ -1183,6 +1193,7 @@ void test_tools(void)
     RUN("the library of GLSL as files: a room each, of GLSL alone", rooms_as_files);
     RUN("the manifest's formulas make the frames of 1,000 cameras, within 2 units of the last place",
         manifest_of_cameras);
+    RUN("bindgen gives constants the type of their fields", bindings_of_rust);
     RUN("a chain as one writes it is made in the languages named, or refused by its field", own_chain);
     RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
     RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);
