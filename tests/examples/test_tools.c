@@ -478,7 +478,6 @@ static void command_line(void)
         { "room --set samples=99 --out a.exr", "samples=99" },
         { "casters --method aof --set cap_table=1,field_resolution=4,rays=16 --out a.exr", "cap_table=1: size:" },
         { "room --set colour=1 --out a.exr", "colour=1" },
-        { "room --set thin=1 --out a.exr", "--set thin=1: the setting is thickness" },
         { "room --set resolution=half,blur=0 --size 8x8 --out a.exr", "resolution=half" },
         { "room --size 8x8 --env sky --method ssdo --set vpls=4 --out a.exr", "vpls=4" },
         { "room --size 8x8 --env sky --method s3ho --set occluded_emitters=1 --out a.exr", "occluded_emitters=1" },
