@@ -241,6 +241,13 @@ function curves(Plot, rows, { log = false, up, width = 900 }) {
     };
 }
 
+/* Draws a line for each name: a bar of milliseconds from one column to another, and a tick at a third. */
+const ranges = (rows, at, from, to, { x, ...more } = {}, ...marks) => ({
+    width: 900, height: 60 + 18 * rows.length, marginLeft: 230, x: { label: 'milliseconds', grid: true, ...x },
+    y: { domain: unique(rows.map(r => r.name)), label: null }, ...more,
+    marks: [Plot_.ruleY(rows, { x1: from, x2: to, y: 'name', strokeWidth: 7, stroke: '#8888' }),
+            Plot_.tickX(rows, { x: at, y: 'name', strokeWidth: 3, title: tip, tip: true }), ...marks] });
+
 const clocks = {
     'this machine: over ssao': { x: 'relative_time', across: 'GL time over that of one unblurred 16-sample ssao' },
     'RX 6800, modelled: ms': { x: '_ms', across: 'milliseconds of an RX 6800 at 1920x1080, modelled' }
@@ -321,6 +328,8 @@ const views = {
                 up: "error (RMSE), share of the truth's mean radiance" })), table(list)]; }),
     scatter: rows => [plotted(scatter(Plot_, rows, { ...Object.values(clocks)[0], y: 'share',
         up: 'error (RMSE), share of having no AO at all' })), table(rows)],
+    memory: rows => [plotted(scatter(Plot_, rows, { x: 'kilobytes', y: 'rmse', height: 280,
+        across: 'kB of the fields', up: 'RMSE of occlusion' })), table(rows)],
     pairs: rows => chosen({ family: all_families(rows), probe: ['all', ...unique(rows.map(r => r.probe))] }, s => {
         const list = of_family(rows, s.family).filter(r => s.probe === 'all' || r.probe === s.probe);
         return [plotted(strips(Plot_, list.filter(r => r.share !== 1), { dot: 'probe',
@@ -337,11 +346,28 @@ const views = {
                 table(sums, Object.keys(sums[0] ?? {}).filter(k => !['label', 'method', 'settings', '_ms', 'share']
                     .includes(k) && sums.some(r => known(r[k]))))].filter(Boolean);
     }),
-    plan: rows => [fold('Pair by pair', () => [table(rows)])],
+    plan: rows => [plotted({ width: 700, height: 420, grid: true, marginLeft: 56,
+        x: { type: 'log', label: 'error asked for', tickFormat: '~g' },
+        y: { type: 'log', label: "the plan's error, measured", tickFormat: '~g' },
+        color: { type: 'categorical', domain: ['good', 'not'], range: ['#0072b2', '#d55e00'], legend: true },
+        marks: [Plot_.line([[0.01, 0.01], [0.2, 0.2]], { stroke: '#888' }),
+                Plot_.dot(rows.filter(r => r.measured > 0), { x: 'asked', y: 'measured', r: 3, title: tip, tip: true,
+                                                              stroke: r => r.good ? 'good' : 'not' })] }),
+        fold('Pair by pair', () => [table(rows)])],
     sweep: rows => [plotted(curves(Plot_, rows, {})), numbers(rows)],
     'sweep-log': rows => [plotted(curves(Plot_, rows, { log: true })), numbers(rows)],
     paper: rows => paper(rows),
     cost: rows => cost(rows),
+    bench: rows => {
+        const list = rows.filter(r => r.pass === 'frame').map(r => ({ ...r, name: named(r) }));
+        return chosen({ size: unique(list.map(r => `${r.width}x${r.height}`)) }, s => {
+            const at = list.filter(r => `${r.width}x${r.height}` === s.size);
+            const traffic = at.filter(r => r.traffic_ms > 0).map(r => ({ ...r, of: 'traffic' }));
+            return [plotted(ranges(at, 'ms', 'lower_quartile', 'upper_quartile', { x: { type: 'log', tickFormat: '~g' },
+                color: { legend: true } }, Plot_.dot(traffic, { x: 'traffic_ms', y: 'name', stroke: 'of', r: 3 }))),
+                table(at)];
+        });
+    },
     quiet: rows => {
         const list = rows.map(r => ({ ...r, label: r.settings ? `${r.method} ${r.settings}` : r.method,
             noise: known(r.noise_seen) ? 1e3 * r.noise_seen : null, error: 1e3 * r.truth_seen }));
@@ -378,7 +404,8 @@ function cost(rows) {
         const key = `${s.device} weighed`, of = s.passes === 'chains' ? chains(rows) : rows.filter(r =>
             r.chain === s.passes && r.pass);
         const list = of.filter(r => known(r[key])).map(r => ({ ...r, name: r.pass || r.chain }));
-        return [table(list, ['name', key, `${s.device} busy`, `${s.device} calm`, 'busy', 'fetches', 'bytes_in',
+        return [plotted(ranges(list, key, `${s.device} calm`, `${s.device} busy`)),
+                table(list, ['name', key, `${s.device} busy`, `${s.device} calm`, 'busy', 'fetches', 'bytes_in',
                              'bytes_out', 'vgprs', 'waves'])];
     });
 }
