@@ -193,7 +193,7 @@ while read -r key pattern; do
     soon shown "$pattern" && so=1 || so=0
     check "viewer, at rest or not: '$title', not '$pattern'" $so
 done <<'END'
-wait *640x360 - * - mean of [4-9]*
+wait *640x360 - * - mean of 32
 drag:40,10 *[0-9] ms
 wait *640x360 - * - mean of *
 i *[0-9] ms

@@ -253,6 +253,7 @@ static void corners_are_closed_forms(void)
         const int layers = row[m].layers;
         const double k = row[m].steps;
         double got = 0;
+        int judged = 0;
         if (layers ? !slab(&slabs, row[m].c, row[m].thickness, gap, layers) : 0) return;
         for (int i = 0; i < 3 && seen != row[m].wall; ++i) {
             if (seen >= 0) kit_gbuffer_free(&g[i]);
@@ -270,6 +271,7 @@ static void corners_are_closed_forms(void)
             if (layers > 2) truth += linear_corner(next) - (row[m].ends ? linear_corner(next + reach) : 0);
             got = row_of(&run, layers ? &slabs : &g[i], row_at(c), row[m].phases);
             const double off = seen == DARK ? 1 - got - truth : got / truth - 1;
+            ++judged;
             CHECK(off >= row[m].low && off <= row[m].high, "%s %s, c %g, %g thick: %+.4f off %.4f", row[m].method,
                   row[m].set, c, row[m].thickness, off, truth);
             if (seen == SENDS && run.kernel && i == 2) {   /* replaces a kernel direction by a level one */
@@ -280,6 +282,7 @@ static void corners_are_closed_forms(void)
                 CHECK(fabs(is - got) < 0.01 * got, "%s, a level direction: %.4f, without it %.4f", row[m].set, is, got);
             }
         }
+        CHECK(judged, "%s %s: %g is none of the distances before an endless wall", row[m].method, row[m].set, row[m].c);
     }
     for (int i = 0; i < 3; ++i) kit_gbuffer_free(&g[i]);
 }
