@@ -11,10 +11,29 @@
 enum { DEMO_ROUNDS = 3, AO_PHASES = 2 };
 _Static_assert((int)MOST_ROWS + (int)MOST_PEERS <= (int)MOST_SET_ROWS, "more rows than MOST_SET_ROWS");
 
+/* Adds the method that the plan chooses for an RMSE of DEMO_ERROR. */
+static const float DEMO_ERROR = 0.03f;
+static int planned(FILE *record, stage *s, entry *entries, int count, kit_error *err)
+{
+    static char settings[256];
+    const kit_world world = { &s->scene, NULL };
+    ssgi_plan_scene numbers;
+    ssgi_plan plan;
+    if (kit_plan_numbers(&numbers, &s->gbuffer, &world, s->radius, SSGI_PLAN_WANTED_VISIBILITY, err)) return -1;
+    numbers.error = DEMO_ERROR;
+    numbers.device = SSGI_PLAN_DEVICE_RX_6800;
+    if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) return kit_fail(err, "%s: has no plan", s->name);
+    page_paragraph(record, "Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: %s", (double)DEMO_ERROR,
+                   plan.why);
+    const char *const method = kit_plan_text(settings, &plan, SSGI_PLAN_WANTED_VISIBILITY);
+    if (method) entries[count++] = (entry){ "planned", method, settings, 1 };
+    return count;
+}
+
 void ao_demo_of(const char *path) { *view_named("bunny") = (view){ .name = path, .path = path, .ground = 1 }; }
 
 const section ao_demo = { .name = "ao", .sets = "ao-demo", .width = 800, .height = 450, .rounds = DEMO_ROUNDS,
-                          .range = 0.5 };
+                          .more = planned, .range = 0.5 };
 
 /* ---- >>peers: other libraries' effects beside the library's rows ------------------------------------------------- */
 

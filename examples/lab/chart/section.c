@@ -122,13 +122,14 @@ static int open_set(stage *s, const section *c, const set *t, kit_error *err)
     return stage_show(s, t->see, c->width, c->height, err);
 }
 
-static int set_measure(FILE *record, const section *c, const set *t, const options *o, const entry *entries, int count,
+static int set_measure(FILE *record, const section *c, const set *t, const options *o, entry *entries, int count,
                        row *rows, kit_error *err)
 {
     const int rounds = o->quick ? (c->rounds + 1) / 2 : c->rounds;
     kit_image picture[MOST_ENTRIES];
     stage s;
     if (open_set(&s, c, t, err)) return -1;
+    if (c->more && (count = c->more(record, &s, entries, count, err)) < 0) return -1;
     if (c->measure ? c->measure(rows, &s, entries, count, picture, err)
                    : measure_entries(rows, &s, entries, count, rounds, t->phases, picture, err))
         return -1;

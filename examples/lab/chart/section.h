@@ -21,6 +21,8 @@ struct section {
     const char *method;                    /* for own(): the method that --method must allow */
     /* Measures a set without a view: fills its rows and returns how many there are; -1 = failed. */
     int (*own)(FILE *record, const options *o, row *rows, kit_error *err);
+    /* Adds entries to those of a set, and returns how many there are then; -1 = failed. NULL: none. */
+    int (*more)(FILE *record, stage *s, entry *entries, int count, kit_error *err);
     /* Fills rows and pictures; given rows follow. NULL: measure_entries does it. */
     int (*measure)(row *rows, stage *s, const entry *entries, int count, kit_image *picture, kit_error *err);
     int probe_times, probe_stride;         /* of the truth's own error: times its rays, at every so many pixels */

@@ -8,6 +8,7 @@
 #include "lab/measure/mottled.h"
 #include "lab/measure/peers.h"
 #include "lab/page/page.h"
+#include "lab/page/pictures.h"
 
 /* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
@@ -96,6 +97,19 @@ static int seed_open(FILE *record, stage *s, const view *v, const part *of, kit_
     return 1;
 }
 
+/* Shows a row's picture beside the truth. The page folds the pictures of all scenes of a kind together. */
+static int show(FILE *record, const options *o, const place *p, const stage *s, const row *r, const kit_image *picture,
+                kit_error *err)
+{
+    char slug[96], note[64];
+    page_heading(record, 4, "%s", p->kind);
+    snprintf(slug, sizeof slug, "seed-%s", p->name);
+    snprintf(note, sizeof note, "error %.3f", r->share);
+    if (pictures_thumb(record, o->out, slug, r->label, note, s, picture, err)) return -1;
+    strcat(slug, "-truth");
+    return pictures_thumb(record, o->out, slug, "ray-traced truth", p->name, s, &s->truth, err);
+}
+
 /* Measures the rows of ambient visibility, with the floor and the peers. The caller frees the truth. Returns how many
    rows; 0 = the scene is left out. */
 static int visible_rows(FILE *record, const options *o, const place *p, row *rows, kit_image *truth, kit_error *err)
@@ -103,15 +117,21 @@ static int visible_rows(FILE *record, const options *o, const place *p, row *row
     const view v = { .name = p->name, .path = p->path };
     entry entries[MOST_ENTRIES];
     const int count = units_chosen(entries, parts->rows, o);
+    kit_image picture[MOST_ENTRIES];
+    int shown = 0;
     mottled m;
     stage s;
     const int there = seed_open(record, &s, &v, parts, err);
     if (there <= 0) return there;
     if (mottled_open(&m, &s, err) || stage_compare(&s, err)
-        || measure_entries(rows, &s, entries, count, 0, 0, NULL, err))
+        || measure_entries(rows, &s, entries, count, 0, 0, picture, err))
         return -1;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         if (entries[i].quick && mottled_row(&rows[i], &m, &s, err)) return -1;
+        if (!strcmp(entries[i].method, "hsao") && !*entries[i].settings) shown = i;
+    }
+    if (count && show(record, o, p, &s, &rows[shown], &picture[shown], err)) return -1;
+    for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     const int most = o->quick ? PEERS_QUICK : MOST_PEERS, behind = count + 1;     /* behind the floor's row */
     const int peers = o->method ? 0 : peers_measure(rows + behind, &s, 0, most, NULL, err);
     for (int i = 0; i < peers; ++i) rows[behind + i].of |= OF_PEER;

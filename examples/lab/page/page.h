@@ -19,7 +19,8 @@ int page_begin(page *p, const char *name, const char *kind, const char *command,
 int page_end(page *p, const char *folder, const char *name, kit_error *err);
 
 /* These functions add an entry to a record, one line each. Texts are plain: the page escapes them. */
-void page_heading(FILE *f, int level, const char *format, ...);         /* level 2: of a section, 3: of a part of it */
+/* level 2: of a section, 3: of a part of it, 4: of folded pairs of pictures */
+void page_heading(FILE *f, int level, const char *format, ...);
 void page_paragraph(FILE *f, const char *format, ...);
 /* Adds a picture, slug.png in the record's folder, and below it, if difference is 1, its difference to the truth. */
 void page_figure(FILE *f, const char *slug, const char *label, const char *note, int width, int height, int difference);

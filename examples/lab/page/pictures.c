@@ -34,10 +34,8 @@ int pictures_exposed(kit_image *out, const kit_image *picture, float exposure, c
     for (int y = 0; y < out->height; ++y)
         for (int x = 0; x < out->width; ++x, ++i)
             for (size_t c = 0; c < 3; ++c) {
-                const float v =
-                    exposure
-                    * kit_image_channel(picture, names[c])[(size_t)(crop[1] + y / times) * (size_t)picture->width
-                                                           + (size_t)(crop[0] + x / times)];
+                const int at = (crop[1] + y / times) * picture->width + crop[0] + x / times;
+                const float v = exposure * kit_image_channel(picture, picture->channels > 1 ? names[c] : "Y")[at];
                 out->data[c * (size_t)out->width * (size_t)out->height + i] = v;
                 out->data[3 * (size_t)out->width * (size_t)out->height + i] += weight[c] * v;
             }
@@ -63,7 +61,7 @@ int pictures_crops(FILE *f, const char *out, const pictured *p, int count, int k
         char name[160];
         snprintf(name, sizeof name, "%s-crop%s", p[i].slug, k ? "-2" : "");
         if (pictures_exposed(&part, p[i].picture, exposure, crop, times, err)
-            || pictures_save(&part, "R,G,B", 1, out, name, ".png", err))
+            || pictures_save(&part, "R,G,B", p[i].picture->channels > 1, out, name, ".png", err))
             return -1;
         page_figure(f, name, p[i].label, "", part.width, part.height, 0);
         kit_image_free(&part);

@@ -9,7 +9,8 @@
 int pictures_save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug,
                   const char *ending, kit_error *err);
 void pictures_slug(char slug[64], const char *label);
-/* Cuts a picture's crop (NULL: all), enlarged so many times: exposed R, G, B, and their luminance Y. */
+/* Cuts a picture's crop (NULL: all), enlarged so many times: exposed R, G, B (of a picture of one channel: grey), and
+   their luminance Y. */
 int pictures_exposed(kit_image *out, const kit_image *picture, float exposure, const int *crop, int times,
                      kit_error *err);
 /* Writes a picture's difference to the truth in channel Y as colours: out/slug-difference.png. */

@@ -424,13 +424,24 @@ function figure(e) {
               link(e.picture, e.label),
               e.difference ? link(`${e.picture}-difference`, `difference of ${e.label}`) : null);
 }
-/* Shows a record's entries. Pictures that follow each other form a grid. */
+/* Shows a record's entries. Pictures that follow each other form a grid. Those below a heading of level 4 are pairs,
+   and lie folded, once for each heading. */
 function shown_entries(entries) {
     const out = [];
-    let grid = null;
+    const folded = new Map();
+    let grid = null, pairs = null;
     for (const e of entries) {
         if (!e) continue;
         if (e.columns) { columns = new Map(e.columns.map(c => [c[0], c])); continue; }
+        if (e.level === 4) {
+            const list = pairs = folded.get(e.heading) ?? [];
+            if (!list.length) out.push(fold(`Pictures of ${e.heading}`, () => [el('div', { className: 'grid pairs' },
+                                                                                  ...list.map(figure))]));
+            folded.set(e.heading, list);
+            continue;
+        }
+        if (e.picture && pairs) { pairs.push(e); continue; }
+        pairs = null;
         if (e.picture || e.key) {
             const style = `--wide: ${e.width > 320 ? 400 : 220}px`;
             if (!grid) out.push(grid = el('div', { className: 'grid', style }));

@@ -11,6 +11,7 @@ typedef struct curve {
     const char *label;
     int       method;
     double    y[CURVE_POINTS], number, at; /* number: the curve's summary; at: the cause's value where it lies */
+    kit_image worst;                       /* the frame at that value, its truth, and their difference */
 } curve;
 struct result { const cause *cause; double x[CURVE_POINTS]; int points, curves; curve curve[MOST_CURVES]; };
 

@@ -59,7 +59,7 @@ static int stability(const sweep_options *o, kit_error *err)
         const cause *c = &sweeps_cause[k];
         if (!sweep_asked(c, o)) continue;
         snprintf(what, sizeof what, "%d of %d: %s", ++done, count, c->name);
-        if (sweep(&r, c, o, what, err) || show_cause(record.file, csv.file, &r, err)) return -1;
+        if (sweep(&r, c, o, what, err) || show_cause(record.file, csv.file, &r, o->out, err)) return -1;
         show_numbers(stdout, &r);
     }
     if (!o->causes && !o->methods && add_moves(&record, o, err)) return -1;

@@ -102,6 +102,12 @@ static double flicker_of(const shot *shots, int frames, int kind, int m, int bet
 
 /* ---- >>points ---------------------------------------------------------------------------------------------------- */
 
+/* Returns the picture with which method m is compared in its last frame. */
+static const kit_image *truth_of(const shot *shots, int frames, int kind, int m, int between)
+{
+    return kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &shots[frames - 1].truth[between];
+}
+
 /* Returns a curve's figure, from the frames of one value. */
 static double figure_of(const shot *shots, int frames, int kind, int m, int between)
 {
@@ -109,8 +115,7 @@ static double figure_of(const shot *shots, int frames, int kind, int m, int betw
     switch (kind) {
     case ERROR:
     case PRECISION:
-        return shot_apart(m < 0 ? &s->none : &s->picture[m],
-                          kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &s->truth[between], s->mask);
+        return shot_apart(m < 0 ? &s->none : &s->picture[m], truth_of(shots, frames, kind, m, between), s->mask);
     case NEWLY:     return newly_over_alone(shots, frames, m);
     case TRAIL:     return remains(s, &shots[CHANGED - 1], m, 0);
     case HELD:      return remains(s, &shots[CHANGED - 1], m, 1);
@@ -121,16 +126,57 @@ static double figure_of(const shot *shots, int frames, int kind, int m, int betw
     }
 }
 
-/* Adds a point to every curve from the frames of one value. */
-static void point_of(result *r, int point, const shot *shots, int frames)
+static int flickers(int kind) { return kind == DEVIATION || kind == SECOND || kind == LIT_SECOND; }
+
+/* Puts a method's picture, its truth and their difference side by side, of each stride x stride pixels the middle one.
+   Flicker: of the first frame; instead of the difference the deviation over the frames. */
+static int strip(kit_image *out, const shot *shots, int frames, int kind, int m, int between, kit_error *err)
 {
+    const int still = !flickers(kind);
+    const shot *s = still ? &shots[frames - 1] : shots;
+    const float *is = shot_values(&s->picture[m]), gain = kind == LIT_SECOND ? 0.4f : 1;
+    const float *truth = shot_values(still ? truth_of(shots, frames, kind, m, between) : &s->truth[between]);
+    const int stride = s->look.stride, width = s->look.width / stride, pixels = width * (s->look.height / stride);
+    const kit_image *pictures[FRAMES];
+    kit_image apart, zero, colour;
+    for (int k = 0; k < frames; ++k) pictures[k] = &shots[k].picture[m];
+    kit_image_free(out);
+    if (kit_image_new(&apart, width, pixels / width, "Y", err) || kit_image_new(&zero, width, pixels / width, "Y", err)
+        || kit_image_new(out, 3 * width, pixels / width, "R,G,B", err))
+        return -1;
+    for (int i = 0; i < 3 * pixels; ++i) {
+        const int at = i % pixels, x = at % width, y = at / width;
+        const int from = (y * stride + stride / 2) * s->look.width + x * stride + stride / 2;
+        float *const to = &out->data[(i - at) * 3 + y * 3 * width + x];
+        double square = 0, mean;
+        to[0] = gain * is[from];
+        to[width] = gain * truth[from];
+        if (i < pixels && !still) shot_varies(&square, &mean, shots, frames, pictures, from, kind != DEVIATION);
+        if (i < pixels) apart.data[i] = still ? is[from] - truth[from] : (float)sqrt(square);
+    }
+    if (kit_image_difference(&colour, &apart, &zero, "Y", still ? 0.5f : 0.05f, err)) return -1;
+    for (int i = 0; i < 3 * pixels; ++i) out->data[i / width * 3 * width + 2 * width + i % width] = colour.data[i];
+    kit_image_free(&apart);
+    kit_image_free(&zero);
+    kit_image_free(&colour);
+    return 0;
+}
+
+/* Adds a point to every curve from the frames of one value, and keeps the worst one of a method as a picture. */
+static int point_of(result *r, int point, const shot *shots, int frames, kit_error *err)
+{
+    const int kind = r->cause->kind;
     for (int i = 0; i < r->curves; ++i) {
         curve *c = &r->curve[i];
         const int m = c->method, between = m >= 0 && sweeps_method[m].of & FAR;
         if (m >= 0 && !shots[frames - 1].picture[m].data) continue;
-        c->y[point] = figure_of(shots, frames, r->cause->kind, m, between);
-        if (!(c->number >= c->y[point])) c->number = c->y[point], c->at = r->x[point];
+        c->y[point] = figure_of(shots, frames, kind, m, between);
+        if (c->number >= c->y[point]) continue;
+        c->number = c->y[point];
+        c->at = r->x[point];
+        if (m >= 0 && strip(&c->worst, shots, frames, kind, m, between, err)) return -1;
     }
+    return 0;
 }
 
 /* The number of a curve of PRECISION is the largest value up to which all errors are at most LIMIT. */
@@ -213,7 +259,7 @@ static int value_of(result *r, double value, const sweep_options *o, const int t
         }
     }
     for (int m = 0; m < sweeps_methods; ++m) kit_frames_close(&kept[m]);
-    point_of(r, r->points++, shots + first, frames - first);
+    if (point_of(r, r->points++, shots + first, frames - first, err)) return -1;
     for (int k = 0; k < frames; ++k) shot_close(&shots[k]);
     return 0;
 }
@@ -221,6 +267,7 @@ static int value_of(result *r, double value, const sweep_options *o, const int t
 int sweep(result *r, const cause *c, const sweep_options *o, const char *what, kit_error *err)
 {
     int truths[2] = { 0, 0 }, values = 1;
+    for (int i = 0; i < r->curves; ++i) kit_image_free(&r->curve[i].worst);
     memset(r, 0, sizeof *r);
     r->cause = c;
     if (c->curves) return c->curves(r, err);

@@ -13,7 +13,7 @@ typedef struct sweep_options {
 /* Returns whether a cause is asked for, and whether any of the methods that are asked for is swept through it. */
 int sweep_asked(const cause *c, const sweep_options *o);
 
-/* Makes the curves of a cause. what: for kit_progress. */
+/* Makes the curves of a cause. what: for kit_progress. The result, zero before the first sweep, may be swept again. */
 int sweep(result *r, const cause *c, const sweep_options *o, const char *what, kit_error *err);
 
 #endif
