@@ -1,5 +1,5 @@
-/* vtk.cpp - ambient occlusion in VTK 9 by the pass of vtkSSGIPass.h. All surfaces are white and all light is ambient, so
-   the picture is the occlusion. Debian: libvtk9-dev; its version is part of these names.
+/* vtk.cpp - ambient occlusion in VTK 9 by the pass of vtkSSGIPass.h. All surfaces are white and all light is ambient,
+   so the picture is the occlusion. Debian: libvtk9-dev; its version is part of these names.
      c++ -std=c++17 examples/hosts/vtk.cpp -I/usr/include/vtk-9.1 -lvtkRenderingOpenGL2-9.1 -lvtkRenderingCore-9.1 \
      -lvtkIOGeometry-9.1 -lvtkIOImage-9.1 -lvtkFiltersSources-9.1 -lvtkCommonExecutionModel-9.1 \
      -lvtkCommonDataModel-9.1 -lvtkCommonMath-9.1 -lvtkCommonCore-9.1 -lvtksys-9.1 -lGL -o vtk && \

@@ -109,6 +109,13 @@ int    kit_face(const float corner[9], double n[3]);   /* writes the unit normal
 #define KIT_HASH UINT64_C(14695981039346656037)
 uint64_t kit_hash(uint64_t h, const void *data, size_t size);
 
+/* A number by its name of so many letters. */
+typedef struct kit_variable { const char *name; int length; double value; } kit_variable;
+/* Reads an expression as kit_seed.h explains them. *text moves past it. Of variables of one name the last counts; key:
+   of its chances. Returns NULL, or what is wrong and where. */
+const char *kit_expression(double *out, const char **text, const kit_variable *variable, int variables, uint32_t key,
+                           const char **where);
+
 /* Shows an activity, its progress and the time left on stderr if that is a terminal, else nothing. fraction 0 starts
    the clock, 1 clears the line. Call it as often as you like: it redraws at most ten times a second. */
 void   kit_progress(const char *what, double fraction);

@@ -559,8 +559,8 @@ await quietly('what a device lacks and what fails is said, and the page goes on'
         ['', 'HTMLCanvasElement.prototype.getContext = () => null;', 'notice', /no WebGL 2/],
         ['', without('/color_buffer/'), 'notice', /EXT_color_buffer_float/],
         ['size=64x36&scene=cornell&b=off', without('/timer/'), 'timer-note', /CPU/],
-        ['size=64x36&scene=cornell&b=truth', asked('data.scene ? { scene: { position: [1], normal: [1] } } : data'), 'notice',
-         /^the truth: position: must have 9 numbers a triangle, has 1$/],
+        ['size=64x36&scene=cornell&b=truth', asked('data.scene ? { scene: { position: [1], normal: [1] } } : data'),
+         'notice', /^the truth: position: must have 9 numbers a triangle, has 1$/],
         ['size=64x36&b=off&scene=cornell&a=dss',
          asked('data.surfels ? { surfels: { ...data.surfels, size: 9 } } : data'), 'notice', /^surfels: .*size/]]) {
         const page = await open(hash, { before });

@@ -10,12 +10,6 @@ enum { VARIABLES = 256, NUMBERS = 64, ALTERNATIVES = 24, DEEPEST = 24, CLAIMS = 
 /* No thing is begun after so many triangles, and a model that would exceed them is left out. */
 enum { MOST_TRIANGLES = 220000, MOST_MODEL = 60000 };
 
-typedef struct variable {
-    const char *name;
-    int length;
-    double value;
-} variable;
-
 typedef struct claim { double at[3], radius; } claim;
 
 enum { MODELS_KEPT = 24 };
@@ -30,7 +24,7 @@ typedef struct walk {
     const kit_row *row;                    /* for error messages */
     int variables, deep, claims;
     uint32_t thing;                        /* seed of the colours of the thing that is being built */
-    variable variable[VARIABLES];
+    kit_variable variable[VARIABLES];
     claim claim[CLAIMS];
 } walk;
 
@@ -57,14 +51,23 @@ static double chance_of(uint32_t key) { return (double)key * 0x1p-32; }
 
 /* an expression that is being read; drawn: number of random numbers drawn so far */
 typedef struct reading {
-    walk *w;
+    const kit_variable *variable;
+    int variables;
     const char *at;
     uint32_t key, drawn;
+    const char *why, *where;               /* the first fault; NULL: there is none */
 } reading;
 
 static void wrong(walk *w, const char *why, const char *at)
 {
     if (!*w->err->text) kit_fail(w->err, "row '%s': %s at '%.20s'", w->row ? w->row->name : "", why, at);
+}
+
+static void misread(reading *r, const char *why, const char *at)
+{
+    if (r->why) return;
+    r->why = why;
+    r->where = at;
 }
 
 static double alternatives(reading *r);
@@ -73,25 +76,38 @@ static double alternatives(reading *r);
 
 static int word_length(const char *at) { return (int)strspn(at, LETTERS); }
 
+static double called(int function, double a, double b)
+{
+    switch (function) {
+    case 0: return sin(a * KIT_PI / 180);
+    case 1: return cos(a * KIT_PI / 180);
+    case 2: return tan(a * KIT_PI / 180);
+    case 3: return fabs(a);
+    case 4: return floor(a);
+    case 5: return a >= 0;
+    case 6: return fmax(a, b);
+    default: return pow(a, b);
+    }
+}
+
 static double named(reading *r)
 {
-    static const char *const functions[] = { "sin", "cos", "abs", "int" };
+    static const char *const functions[] = { "sin", "cos", "tan", "abs", "int", "from", "max", "pow" };
     const char *const word = r->at;
     const int length = word_length(word);
     r->at += length;
     if (*r->at == '(') {
         ++r->at;
-        const double v = alternatives(r);
+        const double a = alternatives(r), b = *r->at == ',' ? ++r->at, alternatives(r) : 0;
         if (*r->at == ')') ++r->at;
-        for (int k = 0; k < 4; k++)
-            if (length == 3 && !strncmp(word, functions[k], 3))
-                return k == 0 ? sin(v * KIT_PI / 180) : k == 1 ? cos(v * KIT_PI / 180) : k == 2 ? fabs(v) : floor(v);
+        for (int k = 0; k < (int)(sizeof functions / sizeof *functions); k++)
+            if (!strncmp(word, functions[k], (size_t)length) && !functions[k][length]) return called(k, a, b);
     }
-    for (int k = r->w->variables; k-- > 0;) {
-        const variable *v = &r->w->variable[k];
+    for (int k = r->variables; k-- > 0;) {
+        const kit_variable *v = &r->variable[k];
         if (v->length == length && !memcmp(v->name, word, (size_t)length)) return v->value;
     }
-    wrong(r->w, "no such number or function", word);
+    misread(r, "no such number or function", word);
     return 0;
 }
 
@@ -105,7 +121,7 @@ static double primary(reading *r)
     if (*r->at == '(') {
         ++r->at;
         v = alternatives(r);
-        if (*r->at != ')') wrong(r->w, "a bracket is open", r->at);
+        if (*r->at != ')') misread(r, "a bracket is open", r->at);
         else ++r->at;
         return v;
     }
@@ -117,7 +133,7 @@ static double primary(reading *r)
         return v;
     }
     if (word_length(r->at)) return named(r);
-    wrong(r->w, "no number", r->at);
+    misread(r, "no number", r->at);
     r->at += strcspn(r->at, " ");
     return 0;
 }
@@ -174,13 +190,24 @@ static double alternatives(reading *r)
     return count == 1 ? of[0] : of[(int)(count * chance_of(mixed(r->key, ++r->drawn)))];
 }
 
+const char *kit_expression(double *out, const char **text, const kit_variable *variable, int variables, uint32_t key,
+                           const char **where)
+{
+    reading r = { .variable = variable, .variables = variables, .at = *text, .key = key };
+    *out = alternatives(&r);
+    if (*r.at && !strchr(" :", *r.at)) misread(&r, "more than a number", r.at);
+    *text = r.at + strcspn(r.at, " :");
+    *where = r.where;
+    return r.why;
+}
+
 /* Reads one number from a row's text; *text moves past it. */
 static double number(walk *w, const char **text, uint32_t key)
 {
-    reading r = { w, *text, key, 0 };
-    const double v = alternatives(&r);
-    if (*r.at && !strchr(" :", *r.at)) wrong(w, "more than a number", r.at);
-    *text = r.at + strcspn(r.at, " :");
+    const char *where;
+    double v;
+    const char *const why = kit_expression(&v, text, w->variable, w->variables, key, &where);
+    if (why) wrong(w, why, where);
     return v;
 }
 
@@ -196,7 +223,7 @@ static int numbers(walk *w, double out[NUMBERS], const char *text, uint32_t key)
 static void set(walk *w, const char *name, int length, double value)
 {
     if (w->variables == VARIABLES) wrong(w, "too many variables", name);
-    else w->variable[w->variables++] = (variable){ name, length, value };
+    else w->variable[w->variables++] = (kit_variable){ name, length, value };
 }
 
 /* ---- >>things ---------------------------------------------------------------------------------------------------- */

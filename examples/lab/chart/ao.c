@@ -11,8 +11,9 @@
 enum { DEMO_ROUNDS = 3, AO_PHASES = 2 };
 _Static_assert((int)MOST_ROWS + (int)MOST_PEERS <= (int)MOST_SET_ROWS, "more rows than MOST_SET_ROWS");
 
-/* Adds the method that the plan chooses for an RMSE of DEMO_ERROR. */
-static const float DEMO_ERROR = 0.03f;
+static const float DEMO_ERROR = 0.03f;      /* the RMSE that the demo asks the plan for */
+
+/* Adds the method that the plan chooses for it. */
 static int planned(FILE *record, stage *s, entry *entries, int count, kit_error *err)
 {
     static char settings[256];

@@ -1,8 +1,5 @@
 /* looks.c - the scene of a frame, for each cause: rows of looks.csv. Declared in sweeps.h. */
-#include <ctype.h>
-#include <math.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 #include "lab/measure/line.h"
 #include "lab/stability/sweeps.h"
@@ -12,92 +9,23 @@ enum { MOST_NAMES = 16 };
 typedef struct making {
     look *look;
     int names, boxes;
-    struct { const char *name; double is; } name[MOST_NAMES];
+    kit_variable name[MOST_NAMES];
 } making;
 
 static line rows = { SWEEPS_FOLDER, .file = "looks" };
 
-/* ---- >>numbers --------------------------------------------------------------------------------------------------- */
-
-static double sum_of(const making *m, const char **at);
-
-static double called(const char *name, size_t length, double a, double b)
-{
-    static const char *const names[] = { "sin", "cos", "tan", "int", "from", "max", "pow" };
-    const double degrees = a * (double)DEGREE;
-    int k = 0;
-    while (k < 7 && (strlen(names[k]) != length || strncmp(names[k], name, length))) ++k;
-    switch (k) {
-    case 0: return sin(degrees);
-    case 1: return cos(degrees);
-    case 2: return tan(degrees);
-    case 3: return floor(a);
-    case 4: return a >= 0;
-    case 5: return fmax(a, b);
-    case 6: return pow(a, b);
-    default: line_fault(&rows, "to"); return 0;
-    }
-}
-
-static double named(const making *m, const char **at)
-{
-    const char *const name = *at;
-    const size_t length = strspn(name, "abcdefghijklmnopqrstuvwxyz");
-    double a, b = 0;
-    *at += length;
-    if (**at == '(') {
-        ++*at;
-        a = sum_of(m, at);
-        if (**at == ',') ++*at, b = sum_of(m, at);
-        if (*(*at)++ != ')') line_fault(&rows, "to");
-        return length ? called(name, length, a, b) : a;
-    }
-    for (int k = 0; k < m->names; ++k)
-        if (strlen(m->name[k].name) == length && !strncmp(m->name[k].name, name, length)) return m->name[k].is;
-    line_fault(&rows, "to");
-    return 0;
-}
-
-static double factor_of(const making *m, const char **at)
-{
-    char *end;
-    if (**at == '-') return ++*at, -factor_of(m, at);
-    if (!isdigit((unsigned char)**at)) return named(m, at);
-    const double v = strtod(*at, &end);
-    *at = end;
-    return v;
-}
-
-static double product_of(const making *m, const char **at)
-{
-    double v = factor_of(m, at);
-    while (**at == '*' || **at == '/') {
-        const int divides = *(*at)++ == '/';
-        const double by = factor_of(m, at);
-        v = divides ? v / by : v * by;
-    }
-    return v;
-}
-
-static double sum_of(const making *m, const char **at)
-{
-    double v = product_of(m, at);
-    while (**at == '+' || **at == '-') {
-        const int less = *(*at)++ == '-';
-        const double by = product_of(m, at);
-        v += less ? -by : by;
-    }
-    return v;
-}
+/* ---- >>looks ----------------------------------------------------------------------------------------------------- */
 
 static void numbers(const making *m, float *v, int count)
 {
-    const char *at = line_cell(&rows, "to");
-    for (int k = 0; k < count; ++k, at += *at == ' ') v[k] = (float)sum_of(m, &at);
+    const char *at = line_cell(&rows, "to"), *where;
+    for (int k = 0; k < count; ++k, at += *at == ' ') {
+        double is;
+        if (kit_expression(&is, &at, m->name, m->names, 0, &where)) line_fault(&rows, "to");
+        v[k] = (float)is;
+    }
     if (*at) line_fault(&rows, "to");
 }
-
-/* ---- >>looks ----------------------------------------------------------------------------------------------------- */
 
 #define REAL(member, count) { #member, offsetof(look, member), count, 0 }
 #define WHOLE(member) { #member, offsetof(look, member), 1, 1 }
@@ -111,8 +39,7 @@ static const struct { const char *name; size_t at; int count, whole; } members[]
 static void name_number(making *m, const char *name, double is)
 {
     if (m->names == MOST_NAMES) line_fault(&rows, "sets");
-    m->name[m->names].name = name;
-    m->name[m->names++].is = is;
+    m->name[m->names++] = (kit_variable){ name, (int)strlen(name), is };
 }
 
 /* Sets the member of a row, or names its number. */

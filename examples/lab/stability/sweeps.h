@@ -94,8 +94,8 @@ void sweeps_load(void);
 
 /* Rows of looks.csv make a frame, one after another. A row sets a member of look to its numbers; "box" adds one; "like"
    does what the rows of another look do; "scene", "only" and "set" are texts, and one that ends with = gets the value.
-   Any other word names the number, for the rows behind. Numbers are expressions of + - * / ( ), named numbers, v (the
-   value), f (the frame), h (the height), sin, cos, tan (degrees), int, from(x) (1 from 0 on, else 0), max and pow. */
+   Any other word names the number, for the rows behind. Numbers are expressions, as kit_seed.h explains them, of
+   named numbers, v (the value), f (the frame), h (the height) and format. */
 int  looks_has(const char *name);
 
 /* Returns the look of a cause at a value, in one of its frames. */
