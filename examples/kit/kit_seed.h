@@ -49,9 +49,9 @@ int    kit_look(kit_scene *s, kit_plot *p, unsigned seed);
 
    A number is an expression without blanks: + - * / ( ), variables; a~b any number between two; a|b|c one of several;
    a<b, a>b, a=b 1 or 0; sin(x), cos(x), tan(x) in degrees, abs(x), int(x), from(x) 1 from 0 on, else 0, max(x,y),
-   pow(x,y). Variables of a copy: i its number, n the number of
-   copies, t = (i + 0.5) / n, u = i / (n - 1), sx and sz the signs of four corners, x and z its place, g the height of
-   the ground there. Variables of enclosing things are visible, too. */
+   pow(x,y). Variables of a copy: i its number, n the number of copies, t = (i + 0.5) / n, u = i / (n - 1), sx and sz the
+   signs of four corners, x and z its place, g the height of the ground there. Variables of enclosing things are visible,
+   too. */
 typedef struct kit_row {
     const char *name;
     int verb;

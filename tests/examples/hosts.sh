@@ -38,15 +38,10 @@ sides() {
 
 make_boxes $work/boxes.obj
 place=0,6,8,0,0,0
-while read -r normal size name; do
-    build/render $work/boxes.obj --camera $place --fovy 45 --near 0.1 --far 100 --size $size --radius 1 \
-        --set normal=$normal --out $work/$name.png </dev/null
-done <<'END'
-gbuffer 960x540 gbuffer
-depth   960x540 depth
-gbuffer 480x270 page-gbuffer
-depth   480x270 page-depth
-END
+for normal in gbuffer depth; do
+    build/render $work/boxes.obj --camera $place --fovy 45 --near 0.1 --far 100 --size 960x540 --radius 1 \
+        --set normal=$normal --out $work/$normal.png
+done
 most=0.006
 
 python=
@@ -84,14 +79,14 @@ shown() {
 if wanted babylon && in_browser babylon babylonjs; then
     cp examples/hosts/babylon.html examples/hosts/boxes.mjs build/hosts
     shown babylon build/hosts 'babylon.html' $work/babylon.png 'babylon.html#white' $work/white.png
-    near 'babylon' $work/white.png $work/page-depth.png $most 2.2
+    near 'babylon' $work/white.png $work/depth.png $most 2.2
 fi
 
 if wanted playcanvas && in_browser playcanvas playcanvas; then
     cp examples/hosts/playcanvas.html examples/hosts/boxes.mjs build/hosts
     shown playcanvas build/hosts 'playcanvas.html' $work/playcanvas.png 'playcanvas.html#white' $work/white.png \
         'playcanvas.html#white,pane' $work/pane.png
-    near 'playcanvas' $work/white.png $work/page-depth.png $most 2.2
+    near 'playcanvas' $work/white.png $work/depth.png $most 2.2
     panes=$(build/rmse $work/pane.png $work/white.png)
     check "playcanvas: the pane changes it by $panes" "$(is "$panes > 0.1 && $panes < 0.2")"
 fi
@@ -114,8 +109,8 @@ if wanted three && in_browser three vite; then
     said=$(cd build/hosts/three && ../node_modules/.bin/tsc --noEmit --strict --skipLibCheck --target es2022 \
         --module esnext --moduleResolution bundler types.ts 2>&1)
     check "three: tsc: $said" "$([ -z "$said" ] && echo 1)"
-    for of in white white,reversed; do near "three, $of" $work/three-$of.png $work/page-depth.png $most; done
-    near 'three, four samples' $work/three-white,samples.png $work/page-depth.png 0.025
+    for of in white white,reversed; do near "three, $of" $work/three-$of.png $work/depth.png $most; done
+    near 'three, four samples' $work/three-white,samples.png $work/depth.png 0.02
     check 'three: the sun is dimmed' "$(cmp -s $work/three-sun.png $work/three-sun,none.png && echo 1)"
     cp tests/pages/three.html build/hosts/three-pass.html
     shown 'three, beside RenderPass' build/hosts three-pass.html $work/three-pass.png
@@ -129,9 +124,7 @@ fi
 # A later effect draws the sky by depth, so that wrong depth is seen in the picture.
 if wanted postprocessing && in_browser postprocessing postprocessing; then
     by_vite postprocessing white white,render sun,render sun,render,none
-    for of in white white,render; do
-        near "postprocessing, $of" $work/postprocessing-$of.png $work/page-depth.png $most
-    done
+    for of in white white,render; do near "postprocessing, $of" $work/postprocessing-$of.png $work/depth.png $most; done
     check 'postprocessing: the sun is dimmed by SSGIRenderPass' \
         "$(cmp -s $work/postprocessing-sun,render.png $work/postprocessing-sun,render,none.png && echo 1)"
 fi
@@ -140,7 +133,7 @@ fi
 if wanted three-webgpu && in_browser three-webgpu vite; then
     by_vite three-webgpu white white,reversed white,history sun sun,none
     for of in white white,reversed white,history; do
-        near "three-webgpu, $of" $work/three-webgpu-$of.png $work/page-gbuffer.png 0.025
+        near "three-webgpu, $of" $work/three-webgpu-$of.png $work/gbuffer.png 0.02
     done
     check 'three-webgpu: history draws what one frame does' \
         "$(cmp -s $work/three-webgpu-white.png $work/three-webgpu-white,history.png || echo 1)"

@@ -19,10 +19,10 @@ for (let i = 0; i + 1 < pairs.length; i += 2) {
         await page.waitForFunction(`globalThis.drawn >= ${frames + more}`, { timeout: 60000 })
             .catch(() => said.push(`${address}: no frame in a minute`));
     };
-    await page.setViewport({ width: 400, height: 225 });
+    await page.setViewport({ width: 800, height: 450 });
     await page.goto(`${root}/${address}`);
     await drawn(1);
-    await page.setViewport({ width: 480, height: 270 });
+    await page.setViewport({ width: 960, height: 540 });
     await drawn(4);                                 /* the first may be of the old size, or of an empty texture */
     await page.screenshot({ path });
     await page.close();
